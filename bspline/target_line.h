@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/curve.h"
+#include "kernel/error.h"
+
+#include <memory>
+#include <vector>
+
+namespace tapeline {
+
+/// Plain data of a B-spline curve; what the JSON target file holds. Knots are given with repetition
+/// (control_points + degree + 1 of them; a closed curve is written clamped, first point = last point).
+struct BSplineData {
+    int degree = 3;
+    std::vector<double> knots;
+    std::vector<double> weights; ///< empty = all 1
+    std::vector<Vec3> control_points; ///< [mm]
+    bool closed = false;
+};
+
+/// An exact B-spline target line Lt (OpenCASCADE Geom_BSplineCurve behind a light face). Value type, immutable.
+class TargetLine final : public TargetCurve {
+public:
+    /// Rejected when the knots, degree, weights and points do not make a curve, or a value is not finite.
+    static Result<TargetLine> from_data(const BSplineData& data);
+    BSplineData data() const;
+
+    double first_parameter() const override;
+    double last_parameter() const override;
+    bool closed() const override;
+    Vec3 point(double parameter) const override;
+    Vec3 tangent(double parameter) const override;
+    double arc_length(double parameter) const override;
+    double parameter_at(double arc_length) const override;
+    CurveFoot foot(const Vec3& p) const override;
+    std::vector<CurveFoot> all_feet(const Vec3& p) const override;
+
+    struct Impl;
+    explicit TargetLine(std::shared_ptr<const Impl> impl);
+    const Impl& impl() const { return *impl_; }
+
+private:
+    std::shared_ptr<const Impl> impl_;
+};
+
+} // namespace tapeline

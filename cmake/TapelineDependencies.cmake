@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Finds what Debian 12 packages supply. Eigen comes before CGAL, which looks for it in its own way otherwise.
+find_package(Eigen3 3.4 REQUIRED CONFIG)
+find_package(CGAL 5.5 REQUIRED CONFIG)
+find_package(TBB REQUIRED CONFIG)
+find_package(tl-expected REQUIRED CONFIG)
+find_package(fmt REQUIRED CONFIG)
+find_package(spdlog REQUIRED CONFIG)
+find_package(nlohmann_json REQUIRED CONFIG)
+find_package(CLI11 REQUIRED CONFIG)
+
+# OpenCASCADE: its version check accepts only the exact version, so none is asked for; libraries are named one by one.
+find_package(OpenCASCADE REQUIRED CONFIG)
+add_library(tapeline_occt INTERFACE)
+target_include_directories(tapeline_occt SYSTEM INTERFACE "${OpenCASCADE_INCLUDE_DIR}")
+target_link_libraries(tapeline_occt INTERFACE
+  TKXDESTEP TKXDEIGES TKXCAF TKSTEP TKSTEPAttr TKSTEP209 TKSTEPBase TKIGES TKXSBase TKLCAF TKCAF TKCDF
+  TKShHealing TKMesh TKFillet TKBool TKBO TKFeat TKOffset TKPrim TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d TKG2d
+  TKMath TKernel)
+
+# SuiteSparse ships no CMake config.
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+add_library(tapeline_cholmod INTERFACE)
+target_include_directories(tapeline_cholmod SYSTEM INTERFACE "${CHOLMOD_INCLUDE_DIR}")
+target_link_libraries(tapeline_cholmod INTERFACE "${CHOLMOD_LIBRARY}" "${OPENBLAS_LIBRARY}")

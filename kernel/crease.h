@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/deformation.h"
+#include "kernel/error.h"
+#include "kernel/split.h"
+
+#include <vector>
+
+namespace tapeline {
+
+struct CreaseReport {
+    bool applied = false;
+    double before = 0; ///< length-weighted mean crease angle of L0 on the rest model [deg]
+    double after = 0;  ///< the same along Lt at the end [deg]
+    double lost_before_restoration = 0; ///< mean absolute change before step 7 [deg]
+};
+
+/// Brings the crease angle along Lt back to that of L0 by turning the triangles beside the line on one side
+/// (Section 5.6; method.md K), then letting the rest of that side follow with the ASAN solver.
+/// `side` is the side to bend, `V` its current local positions; `other_normals` has, per used line edge, the unit
+/// normal of the triangle on the other side; `rest_angles` the signed crease angles wanted [deg], positive = the same
+/// sense as on the rest model. Returns the new local positions.
+Result<DeformationResult> restore_crease(const SideMesh& side, const Positions& V, int first, int last,
+                                         const std::vector<Vec3>& other_normals, const std::vector<double>& rest_angles,
+                                         const DeformationOptions& options);
+
+} // namespace tapeline

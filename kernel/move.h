@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/crease.h"
+#include "kernel/correspondence.h"
+#include "kernel/curve.h"
+#include "kernel/extension.h"
+#include "kernel/placement.h"
+#include "kernel/progress.h"
+#include "kernel/region.h"
+#include "kernel/retraction.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tapeline {
+
+enum class Method {
+    asan_fl,       ///< Tapeline's defaults: harmonic retraction, tapered extension, stiff along d_o
+    asan_fl_paper, ///< as published: planes retraction, free extension
+    asan,          ///< orthotropic spokes-and-rims on the uncut region, stiff across d_o
+    arap           ///< plain ARAP spokes-and-rims on the uncut region
+};
+
+enum class CreaseRestoration { automatic, off, on };
+
+struct MoveOptions {
+    Method method = Method::asan_fl;
+    std::optional<RetractionMode> retraction;      ///< default by method
+    ExtensionPath extension_path = ExtensionPath::geodesic;
+    std::optional<ExtensionTarget> extension_target; ///< default by method
+    double stiffness_ratio = 100;                  ///< μ
+    std::optional<Stiff> stiff;                    ///< default by method
+    std::optional<Placement> placement;            ///< overrules the verdict
+    std::optional<LineSide> compressed_side;       ///< overrules the signed rule
+    CreaseRestoration crease = CreaseRestoration::automatic;
+    double crease_tolerance = 1;    ///< `automatic` restores when the mean crease angle changed by more [deg]
+    double tolerance_mm = 0;        ///< solver's wanted error; 0 = 1e-5 of the region's diagonal
+    int max_iterations = 2000;
+    int clamp_rings = 1;
+};
+
+/// What one solver run did.
+struct SolveReport {
+    std::string side; ///< "tension", "compression", "region" or "crease"
+    int iterations = 0;
+    double error_estimate_mm = 0;
+    double tolerance_mm = 0;
+    bool converged = true;
+    double energy = 0;
+    double seconds = 0;
+};
+
+struct RetractionReport {
+    bool applied = false;
+    RetractionMode mode = RetractionMode::harmonic;
+    double min_area_ratio = 1;
+    int flipped = 0;
+    int crossings = 0;
+};
+
+struct MoveResult {
+    Model rest;                 ///< the input model with the extension's cut: appended vertices last
+    Positions V;                ///< moved positions of rest's vertices; equal to rest's outside the region, bit for bit
+    Region region;              ///< on rest's triangles
+    Correspondence correspondence; ///< the used line, on rest's vertices
+    std::vector<int> extended_line; ///< L̂0 on rest's vertices
+    ExtensionPath extension_path = ExtensionPath::geodesic;
+    ExtensionTarget extension_target = ExtensionTarget::tapered;
+    std::vector<AppendedVertex> appended;
+    PlacementResult placement;
+    std::vector<int> left_faces;  ///< region triangles left of L̂0 (all of them stay in one list when not split)
+    std::vector<int> right_faces;
+    RetractionReport retraction;
+    std::vector<SolveReport> solves;
+    CreaseReport crease;
+    std::vector<std::pair<std::string, double>> seconds; ///< per stage, in order
+    std::vector<std::string> warnings;
+
+    bool converged() const;
+};
+
+/// Moves a feature line to its target and lets the region follow: ASAN-FL, the paper's seven steps (Section 3.5), or
+/// one of the plain methods. The input is not changed. A run that does not converge is returned with
+/// `converged() == false`; whether that is an error is the caller's decision.
+Result<MoveResult> move_feature_line(const Model& model, const FeatureLine& line, const TargetCurve& target,
+                                     const Region& region, const MoveOptions& options = {},
+                                     const Progress& progress = {});
+
+} // namespace tapeline

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/curve.h"
+#include "kernel/error.h"
+#include "kernel/mesh.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapeline {
+
+/// What is measured: a deformed mesh against its rest shape (same triangles), the line on it, and its two sides.
+struct QualityInput {
+    const Mesh& rest;
+    const Positions& moved;
+    std::vector<int> line;         ///< the moved line's vertices in order
+    bool closed = false;
+    std::vector<int> compressed_faces; ///< region triangles of the compressed side; empty when there is none
+    std::vector<int> tension_faces;    ///< region triangles of the other side
+    const TargetCurve* target = nullptr; ///< null: no line error
+    int stations = 9;              ///< number of sections across the line
+};
+
+/// One section across Lt, as a polyline from the compressed side's rim over the line to the tension side's rim.
+struct Section {
+    Vec3 origin = Vec3::Zero(); ///< point of the line
+    Vec3 normal = Vec3::Zero(); ///< of the section plane (the line's tangent)
+    std::vector<Vec3> compressed_before, compressed_after; ///< from the line outwards
+    std::vector<Vec3> tension_before, tension_after;
+};
+
+struct SectionMeasure {
+    int inflections_before = 0, inflections_after = 0; ///< sign changes of curvature above a dead band, worst station
+    double turning_before = 0, turning_after = 0;      ///< total absolute turning [deg], worst station
+    double turning_increase = 0;                       ///< largest after − before at one station [deg]
+};
+
+/// Measures 1–7 of the quality page. Lengths mm, angles deg, ratios without unit.
+struct QualityReport {
+    double line_error_max_mm = 0;      ///< line vertices to Lt
+    double chord_error_max_mm = 0;     ///< the moved polyline's mid-edges to Lt
+    double slide_max_mm = 0;           ///< largest displacement of a line vertex
+    double bulge_max_mm = 0;           ///< signed distance of the compressed side to the rest surface, of largest size
+    double bulge_rms_mm = 0;
+    double bulge_fraction = 0;         ///< |bulge_max| / slide_max
+    Vec3 bulge_at = Vec3::Zero();
+    SectionMeasure compressed_sections, tension_sections;
+    double gauss_sign_change = 0;      ///< share of area in [0, 1]
+    double mean_sign_change = 0;
+    double crease_before = 0, crease_after = 0; ///< length-weighted mean along the line [deg]
+    double crease_rms_difference = 0, crease_max_difference = 0;
+    double min_angle_before = 0, min_angle_after = 0;
+    double squash = 1;                 ///< min of (altitude on the line's direction after / before), worst side
+    double min_area_ratio = 1;
+    int flipped = 0;
+    int self_intersections = 0;
+    std::optional<double> symmetry_residual_mm; ///< where the rest shape has a mirror plane
+};
+
+/// Per-vertex maps for pictures, one value per vertex of the mesh (NaN outside the region).
+struct QualityMaps {
+    std::vector<double> bulge_mm;
+    std::vector<double> gauss_before, gauss_after; ///< angle defect / area [1/mm²]
+    std::vector<double> mean_before, mean_after;   ///< [1/mm]
+};
+
+Result<QualityReport> measure_quality(const QualityInput& input);
+QualityMaps quality_maps(const QualityInput& input);
+std::vector<Section> cross_sections(const QualityInput& input);
+
+/// Parts of `faces` to the left and right of the line, for results whose cut is not known (grown from the line's
+/// triangles, each triangle going to the side that reaches it first).
+std::pair<std::vector<int>, std::vector<int>> sides_of_line(const Mesh& mesh, const std::vector<int>& faces,
+                                                            const std::vector<int>& line, bool closed);
+
+} // namespace tapeline
