@@ -11,7 +11,8 @@ enum class Placement { on_surface, off_surface };
 
 struct PlacementResult {
     Placement verdict = Placement::on_surface;
-    double off_fraction = 0; ///< normal share of the displacement, Σ|u_N| / Σ|u| over the used line, in [0, 1]
+    double off_fraction = 0;   ///< Σ len·lift / Σ len·|u|, lift = distance of the target from the surface; in [0, 1]
+    double normal_fraction = 0; ///< the paper's figure: Σ|u_N| / Σ|u|, u_N along the normal of the compressed side
     LineSide compressed = LineSide::left; ///< by the signed rule (method.md A5)
     double c_left = 0;  ///< Σ len · (u · m) with m the conormal into the left side [mm²]; positive = compressed
     double c_right = 0;
@@ -21,6 +22,14 @@ struct PlacementResult {
 };
 
 /// Decides on/off-surface and which side of the line is compressed (Sections 3.4 and 5; method.md A5, K).
-PlacementResult decide_placement(const Mesh& mesh, const Topology& topology, const Correspondence& correspondence);
+/// On-surface unless the targets rise above the region's surface by more than they travel along it, in the mean
+/// (off_fraction > 1/√2). The distance to the surface decides instead of the normals at the line, because a long slide
+/// on a curved surface leaves the tangent plane without leaving the surface; `normal_fraction` reports the latter.
+/// Sides count triangles of the whole model beside the line; `region` limits what the distance is measured to.
+PlacementResult decide_placement(const Mesh& mesh, const Region& region, const Correspondence& correspondence);
+
+/// Signed turn of the surface across the directed edge a→b: the angle from the right triangle's normal to the left
+/// one's about the edge's direction [deg], 0 = flat, in (-180, 180]. One entry per edge of the line.
+std::vector<double> signed_crease_angles(const Mesh& mesh, const Positions& V, const FeatureLine& line);
 
 } // namespace tapeline
