@@ -18,9 +18,10 @@ struct CreaseReport {
 
 /// Brings the crease angle along Lt back to that of L0 by turning the triangles beside the line on one side
 /// (Section 5.6; method.md K), then letting the rest of that side follow with the ASAN solver.
-/// `side` is the side to bend, `V` its current local positions; `other_normals` has, per used line edge, the unit
-/// normal of the triangle on the other side; `rest_angles` the signed crease angles wanted [deg], positive = the same
-/// sense as on the rest model. Returns the new local positions.
+/// `side` is the side to bend, `V` its current local positions; the used line is side.line[first .. last] (a closed
+/// line: all of it and the closing edge). Per used line edge i (from entry i to i + 1), `other_normals` has the unit
+/// normal of the triangle on the other side and `rest_angles` the wanted signed angle [deg] from that normal to the
+/// normal of this side's triangle, about the direction of the edge. Returns the new local positions.
 Result<DeformationResult> restore_crease(const SideMesh& side, const Positions& V, int first, int last,
                                          const std::vector<Vec3>& other_normals, const std::vector<double>& rest_angles,
                                          const DeformationOptions& options);

@@ -36,7 +36,7 @@ struct MoveOptions {
     std::optional<Placement> placement;            ///< overrules the verdict
     std::optional<LineSide> compressed_side;       ///< overrules the signed rule
     CreaseRestoration crease = CreaseRestoration::automatic;
-    double crease_tolerance = 1;    ///< `automatic` restores when the mean crease angle changed by more [deg]
+    double crease_loss = 0.5;       ///< `automatic` restores where the mean crease angle fell below this share of L0's
     double tolerance_mm = 0;        ///< solver's wanted error; 0 = 1e-5 of the region's diagonal
     int max_iterations = 2000;
     int clamp_rings = 1;
