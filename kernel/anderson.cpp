@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-namespace tapeline {
+namespace tapeline
+{
 
 void Anderson::restart()
 {

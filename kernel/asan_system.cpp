@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace tapeline {
+namespace tapeline
+{
 
-namespace {
+namespace
+{
 
 std::string place(const Mesh& mesh, int v)
 {
@@ -51,10 +53,11 @@ Result<AsanSystem> AsanSystem::create(const Mesh& rest, const std::vector<int>& 
     const double diagonal = bounding_diagonal(rest.V);
     for (int t = 0; t < rest.F.rows(); ++t) {
         if (!(triangle_area(rest, t) > 1e-16 * diagonal * diagonal)) {
-            return fail(ErrorKind::rejected,
-                        fmt::format("the region has a triangle without area at {} mm: remesh the region (--max-edge) or "
-                                    "repair the model there",
-                                    place(rest, rest.F(t, 0))));
+            return fail(
+                ErrorKind::rejected,
+                fmt::format("the region has a triangle without area at {} mm: remesh the region (--max-edge) or "
+                            "repair the model there",
+                            place(rest, rest.F(t, 0))));
         }
     }
     const int n = static_cast<int>(rest.V.rows());
@@ -100,8 +103,9 @@ Result<AsanSystem> AsanSystem::create(const Mesh& rest, const std::vector<int>& 
     system.K_coupling_.resize(system.free_count(), static_cast<Eigen::Index>(constrained.size()));
     system.K_coupling_.setFromTriplets(coupling_entries.begin(), coupling_entries.end());
     if (system.free_count() > 0 && !system.solver_.factorize(system.K_free_)) {
-        return fail(ErrorKind::not_converged, "the region's stiffness matrix cannot be factorised because its triangles "
-                                              "are too thin: remesh the region (--max-edge)");
+        return fail(ErrorKind::not_converged,
+                    "the region's stiffness matrix cannot be factorised because its triangles "
+                    "are too thin: remesh the region (--max-edge)");
     }
     return system;
 }

@@ -10,14 +10,17 @@
 #include <deque>
 #include <limits>
 
-namespace tapeline {
+namespace tapeline
+{
 
-namespace {
+namespace
+{
 
 /// Turns recent step sizes into an estimate of the distance to the minimiser. The factors are measured bounds:
 /// with Anderson acceleration the true error stayed below 10 times the largest of four steps, without it below 200
 /// times (method.md I7).
-class StepMonitor {
+class StepMonitor
+{
 public:
     explicit StepMonitor(bool accelerated) : factor_(accelerated ? 10 : 200) {}
     void record(double step)
@@ -60,8 +63,8 @@ Iteration minimise(AsanSystem& system, Eigen::MatrixXd& x, double tolerance, con
     while (run.count < options.max_iterations) {
         const Eigen::MatrixXd plain = system.solve_positions();
         Eigen::MatrixXd candidate = anderson.next(x, plain);
-        double candidate_energy = candidate.allFinite() ? system.fit_rotations(candidate)
-                                                        : std::numeric_limits<double>::infinity();
+        double candidate_energy =
+            candidate.allFinite() ? system.fit_rotations(candidate) : std::numeric_limits<double>::infinity();
         if (!(candidate_energy <= energy + noise)) {
             candidate = plain;
             candidate_energy = system.fit_rotations(candidate);
@@ -132,8 +135,9 @@ Result<DeformationResult> deform(const Mesh& rest, const std::vector<int>& const
     result.residual = system->residual(x);
     result.energy = system->exact_energy(x);
     if (!result.V.allFinite()) {
-        return fail(ErrorKind::not_converged, "the deformation left the range of numbers: the region's triangles are too "
-                                              "thin, remesh it (--max-edge)");
+        return fail(ErrorKind::not_converged,
+                    "the deformation left the range of numbers: the region's triangles are too "
+                    "thin, remesh it (--max-edge)");
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

@@ -9,22 +9,23 @@
 #include <optional>
 #include <vector>
 
-namespace tapeline {
+namespace tapeline
+{
 
 struct DeformationOptions {
     Material material;
-    double tolerance_mm = 0;  ///< wanted largest vertex error [mm]; 0 = 1e-5 of the mesh's bounding diagonal
+    double tolerance_mm = 0; ///< wanted largest vertex error [mm]; 0 = 1e-5 of the mesh's bounding diagonal
     int max_iterations = 2000;
-    int anderson_window = 5;  ///< differences kept for Anderson acceleration; 0 = plain local/global
-    int load_steps = 1;       ///< the displacement is applied in this many equal steps from the rest shape
+    int anderson_window = 5; ///< differences kept for Anderson acceleration; 0 = plain local/global
+    int load_steps = 1;      ///< the displacement is applied in this many equal steps from the rest shape
 };
 
 struct DeformationResult {
-    Positions V;                    ///< deformed positions, n×3
+    Positions V; ///< deformed positions, n×3
     int iterations = 0;
-    double error_estimate_mm = 0;   ///< estimate of the largest vertex distance to the minimiser (method.md I7)
-    double residual = 0;            ///< relative force residual (method.md I7)
-    double energy = 0;              ///< Σ A |J - R E|²_D / 3 over cells [mm²]
+    double error_estimate_mm = 0; ///< estimate of the largest vertex distance to the minimiser (method.md I7)
+    double residual = 0;          ///< relative force residual (method.md I7)
+    double energy = 0;            ///< Σ A |J - R E|²_D / 3 over cells [mm²]
     bool converged = false;
     double seconds = 0;
 };

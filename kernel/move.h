@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/crease.h"
 #include "kernel/correspondence.h"
+#include "kernel/crease.h"
 #include "kernel/curve.h"
 #include "kernel/extension.h"
 #include "kernel/placement.h"
@@ -15,7 +15,8 @@
 #include <utility>
 #include <vector>
 
-namespace tapeline {
+namespace tapeline
+{
 
 enum class Method {
     asan_fl,       ///< Tapeline's defaults: harmonic retraction, tapered extension, stiff along d_o
@@ -24,20 +25,25 @@ enum class Method {
     arap           ///< plain ARAP spokes-and-rims on the uncut region
 };
 
-enum class CreaseRestoration { automatic, off, on };
+enum class CreaseRestoration {
+    automatic,
+    off,
+    on
+};
 
 struct MoveOptions {
     Method method = Method::asan_fl;
-    std::optional<RetractionMode> retraction;      ///< default by method
+    CorrespondenceOptions correspondence;
+    std::optional<RetractionMode> retraction; ///< default by method
     ExtensionPath extension_path = ExtensionPath::geodesic;
     std::optional<ExtensionTarget> extension_target; ///< default by method
-    double stiffness_ratio = 100;                  ///< μ
-    std::optional<Stiff> stiff;                    ///< default by method
-    std::optional<Placement> placement;            ///< overrules the verdict
-    std::optional<LineSide> compressed_side;       ///< overrules the signed rule
+    double stiffness_ratio = 100;                    ///< μ
+    std::optional<Stiff> stiff;                      ///< default by method
+    std::optional<Placement> placement;              ///< overrules the verdict
+    std::optional<LineSide> compressed_side;         ///< overrules the signed rule
     CreaseRestoration crease = CreaseRestoration::automatic;
-    double crease_loss = 0.5;       ///< `automatic` restores where the mean crease angle fell below this share of L0's
-    double tolerance_mm = 0;        ///< solver's wanted error; 0 = 1e-5 of the region's diagonal
+    double crease_loss = 0.5; ///< `automatic` restores where the mean crease angle fell below this share of L0's
+    double tolerance_mm = 0;  ///< solver's wanted error; 0 = 1e-5 of the region's diagonal
     int max_iterations = 2000;
     int clamp_rings = 1;
 };
@@ -62,16 +68,16 @@ struct RetractionReport {
 };
 
 struct MoveResult {
-    Model rest;                 ///< the input model with the extension's cut: appended vertices last
-    Positions V;                ///< moved positions of rest's vertices; equal to rest's outside the region, bit for bit
-    Region region;              ///< on rest's triangles
-    Correspondence correspondence; ///< the used line, on rest's vertices
+    Model rest;    ///< the input model with the extension's cut: appended vertices last
+    Positions V;   ///< moved positions of rest's vertices; equal to rest's outside the region, bit for bit
+    Region region; ///< on rest's triangles
+    Correspondence correspondence;  ///< the used line, on rest's vertices
     std::vector<int> extended_line; ///< L̂0 on rest's vertices
     ExtensionPath extension_path = ExtensionPath::geodesic;
     ExtensionTarget extension_target = ExtensionTarget::tapered;
     std::vector<AppendedVertex> appended;
     PlacementResult placement;
-    std::vector<int> left_faces;  ///< region triangles left of L̂0 (all of them stay in one list when not split)
+    std::vector<int> left_faces; ///< region triangles left of L̂0 (all of them stay in one list when not split)
     std::vector<int> right_faces;
     RetractionReport retraction;
     std::vector<SolveReport> solves;

@@ -9,9 +9,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace tapeline {
+namespace tapeline
+{
 
-namespace {
+namespace
+{
 
 /// Normals of the triangles left and right of the directed edge a→b; zero where there is none.
 std::pair<Vec3, Vec3> normals_beside(const Mesh& mesh, const Topology& topology, int a, int b)
@@ -21,10 +23,7 @@ std::pair<Vec3, Vec3> normals_beside(const Mesh& mesh, const Topology& topology,
             right < 0 ? Vec3(Vec3::Zero()) : triangle_normal(mesh, right)};
 }
 
-int edge_count(const FeatureLine& line)
-{
-    return static_cast<int>(line.vertices.size()) - (line.closed ? 0 : 1);
-}
+int edge_count(const FeatureLine& line) { return static_cast<int>(line.vertices.size()) - (line.closed ? 0 : 1); }
 
 } // namespace
 
@@ -41,7 +40,8 @@ PlacementResult decide_placement(const Mesh& mesh, const Region& region, const C
         lift[i] = surface.closest(correspondence.targets[i]).distance;
         result.u_max_mm = std::max(result.u_max_mm, correspondence.displacements[i].norm());
     }
-    double moved = 0, lifted = 0, tangential_left = 0, tangential_right = 0, normal_left = 0, normal_right = 0, path = 0;
+    double moved = 0, lifted = 0, tangential_left = 0, tangential_right = 0, normal_left = 0, normal_right = 0,
+           path = 0;
     for (int i = 0; i < edge_count(line); ++i) {
         const auto j = (i + 1) % n;
         const int a = line.vertices[i], b = line.vertices[j];

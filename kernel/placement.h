@@ -4,20 +4,24 @@
 #include "kernel/correspondence.h"
 #include "kernel/split.h"
 
-namespace tapeline {
+namespace tapeline
+{
 
 /// Whether the line stays on the surface (Section 3.4): decides between split-and-retract and one plain deformation.
-enum class Placement { on_surface, off_surface };
+enum class Placement {
+    on_surface,
+    off_surface
+};
 
 struct PlacementResult {
     Placement verdict = Placement::on_surface;
-    double off_fraction = 0;   ///< Σ len·lift / Σ len·|u|, lift = distance of the target from the surface; in [0, 1]
+    double off_fraction = 0; ///< Σ len·lift / Σ len·|u|, lift = distance of the target from the surface; in [0, 1]
     double normal_fraction = 0; ///< the paper's figure: Σ|u_N| / Σ|u|, u_N along the normal of the compressed side
     LineSide compressed = LineSide::left; ///< by the signed rule (method.md A5)
-    double c_left = 0;  ///< Σ len · (u · m) with m the conormal into the left side [mm²]; positive = compressed
+    double c_left = 0; ///< Σ len · (u · m) with m the conormal into the left side [mm²]; positive = compressed
     double c_right = 0;
-    double s_alpha = 0; ///< the paper's Σ|u_T| of the left side [mm]
-    double s_beta = 0;  ///< the same of the right side
+    double s_alpha = 0;  ///< the paper's Σ|u_T| of the left side [mm]
+    double s_beta = 0;   ///< the same of the right side
     double u_max_mm = 0; ///< largest displacement
 };
 

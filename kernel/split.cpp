@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 #include <set>
 
-namespace tapeline {
+namespace tapeline
+{
 
-namespace {
+namespace
+{
 
 constexpr int outside = -1, unreached = 0;
 
@@ -176,7 +178,8 @@ Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int cl
     for (const auto& [a, b] : segments(extended)) {
         const int e = topology.find_edge(a, b);
         if (e < 0) {
-            return fail(ErrorKind::rejected, fmt::format("the line's vertices {} and {} are not joined by an edge", a, b));
+            return fail(ErrorKind::rejected,
+                        fmt::format("the line's vertices {} and {} are not joined by an edge", a, b));
         }
         cut.insert(e);
         const int left = topology.face_left_of(a, b), right = topology.face_left_of(b, a);
@@ -189,17 +192,19 @@ Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int cl
     }
     for (int s = 0; s < 2; ++s) {
         if (seeds[s].empty()) {
-            return fail(ErrorKind::rejected, fmt::format("the region has no triangles {} of the line: the line runs along "
-                                                         "the region's border, choose a region on both sides of it",
-                                                         s == 0 ? "left" : "right"));
+            return fail(ErrorKind::rejected,
+                        fmt::format("the region has no triangles {} of the line: the line runs along "
+                                    "the region's border, choose a region on both sides of it",
+                                    s == 0 ? "left" : "right"));
         }
         const int conflict = flood(topology, cut, seeds[s], s + 1, label);
         if (conflict >= 0) {
             const Vec3 p = mesh.V.row(mesh.F(conflict, 0));
-            return fail(ErrorKind::rejected,
-                        fmt::format("the line does not part the region in two: both sides meet at ({:.6g}, {:.6g}, {:.6g}) "
-                                    "mm, round a hole or a second opening; choose a smaller region (--roi-distance)",
-                                    p.x(), p.y(), p.z()));
+            return fail(
+                ErrorKind::rejected,
+                fmt::format("the line does not part the region in two: both sides meet at ({:.6g}, {:.6g}, {:.6g}) "
+                            "mm, round a hole or a second opening; choose a smaller region (--roi-distance)",
+                            p.x(), p.y(), p.z()));
         }
     }
     std::array<SideMesh, 2> sides;

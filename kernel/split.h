@@ -7,10 +7,14 @@
 #include <array>
 #include <vector>
 
-namespace tapeline {
+namespace tapeline
+{
 
 /// The side of a line that lies to its left or right, seen from outside along the line's direction.
-enum class LineSide { left = 0, right = 1 };
+enum class LineSide {
+    left = 0,
+    right = 1
+};
 
 /// One part of the region, cut free along L̂0 (the paper's S_a or S_b), with its own vertex numbering.
 /// The first `inner_faces` triangles are the side itself; the rest are the ring of outside triangles that keeps the
@@ -18,11 +22,11 @@ enum class LineSide { left = 0, right = 1 };
 struct SideMesh {
     Mesh mesh;
     int inner_faces = 0;
-    std::vector<int> to_global;  ///< local vertex -> vertex of the extended model
+    std::vector<int> to_global;    ///< local vertex -> vertex of the extended model
     std::vector<int> global_faces; ///< local triangle -> triangle of the extended model
-    std::vector<int> line;       ///< local indices along L̂0, in the line's order (closed: not repeated)
-    std::vector<int> fixed;      ///< local indices of immobile vertices (rim, inner constraints, clamp rings), ascending,
-                                 ///< without the vertices of `line`
+    std::vector<int> line;         ///< local indices along L̂0, in the line's order (closed: not repeated)
+    std::vector<int> fixed; ///< local indices of immobile vertices (rim, inner constraints, clamp rings), ascending,
+                            ///< without the vertices of `line`
 };
 
 /// Cuts the region along the extended line (Section 5.2) into its left [0] and right [1] part. Rejected when the cut

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/move.h"
+
+#include "kernel/move_steps.h"
+
+#include <algorithm>
+
+namespace tapeline
+{
+
+bool MoveResult::converged() const
+{
+    return std::ranges::all_of(solves, [](const SolveReport& solve) { return solve.converged; });
+}
+
+namespace
+{
+
+/// The whole region deforms in one piece: off-surface moves and the plain methods.
+Result<void> move_uncut(MoveState& state, const Progress& progress)
+{
+    state.keep_whole();
+    return state.solve_whole(progress);
+}
+
+/// The paper's steps 2 to 7: cut the region along the extended line, deform the side under tension, make room on the
+/// side under compression, deform it, sew both together, mend the crease.
+Result<void> move_split(MoveState& state, const Progress& progress)
+{
+    return state.extend()
+        .and_then([&] { return state.split(); })
+        .and_then([&] { return state.deform_side(state.tension(), progress.part(0.1, 0.5)); })
+        .and_then([&] { return state.retract_side(state.compression()); })
+        .and_then([&] { return state.deform_side(state.compression(), progress.part(0.6, 0.9)); })
+        .and_then([&] { return state.sew_sides(); })
+        .and_then([&] { return state.restore_lost_crease(progress.part(0.9, 1.0)); });
+}
+
+} // namespace
+
+Result<MoveResult> move_feature_line(const Model& model, const FeatureLine& line, const TargetCurve& target,
+                                     const Region& region, const MoveOptions& options, const Progress& progress)
+{
+    MoveState state(model, region, options);
+    const auto placed = state.correspond_to(line, target).and_then([&] { return state.place(); });
+    if (!placed) {
+        return tl::unexpected(placed.error());
+    }
+    const auto moved = state.splits() ? move_split(state, progress) : move_uncut(state, progress);
+    if (!moved) {
+        return tl::unexpected(moved.error());
+    }
+    return state.finish();
+}
+
+} // namespace tapeline

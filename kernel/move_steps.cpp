@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/move_steps.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace tapeline
+{
+
+namespace
+{
+
+bool is_free(const Vec3& target) { return !target.allFinite(); }
+
+double mean_size(const std::vector<Vec3>& vectors)
+{
+    double sum = 0;
+    for (const Vec3& v : vectors) {
+        sum += v.norm();
+    }
+    return vectors.empty() ? 0 : sum / static_cast<double>(vectors.size());
+}
+
+} // namespace
+
+Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio)
+{
+    Vec3 sum = Vec3::Zero();
+    double length = 0;
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vec3& u : displacements) {
+        sum += u;
+        length += u.norm();
+        spread += u * u.transpose();
+    }
+    if (sum.norm() > 0.3 * length) {
+        return sum.normalized();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    if (length > 0 && axes.eigenvalues()[2] > 2 * axes.eigenvalues()[1]) {
+        return axes.eigenvectors().col(2);
+    }
+    ratio = 1;
+    return Vec3::UnitX();
+}
+
+MoveState::MoveState(const Model& model, const Region& region, const MoveOptions& options)
+    : model_(model), options_(options)
+{
+    result_.region = region;
+    result_.warnings = region.warnings;
+    result_.extension_path = options.extension_path;
+    const ExtensionTarget by_method =
+        options.method == Method::asan_fl_paper ? ExtensionTarget::free : ExtensionTarget::tapered;
+    result_.extension_target = options.extension_target.value_or(by_method);
+    const RetractionMode retraction =
+        options.method == Method::asan_fl_paper ? RetractionMode::planes : RetractionMode::harmonic;
+    result_.retraction.mode = options.retraction.value_or(retraction);
+}
+
+template <class Step>
+Result<void> MoveState::timed(const std::string& stage, const Step& step)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    Result<void> done = step();
+    result_.seconds.emplace_back(stage,
+                                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    return done;
+}
+
+Result<void> MoveState::correspond_to(const FeatureLine& line, const TargetCurve& target)
+{
+    return timed("correspondence", [&]() -> Result<void> {
+        auto found = correspond(model_, line, target, options_.correspondence);
+        if (!found) {
+            return tl::unexpected(found.error());
+        }
+        result_.correspondence = std::move(*found);
+        std::ranges::copy(result_.correspondence.warnings, std::back_inserter(result_.warnings));
+        for (const int v : result_.correspondence.line.vertices) {
+            if (std::ranges::binary_search(result_.region.inner_fixed, v)) {
+                return fail(
+                    ErrorKind::rejected,
+                    fmt::format("vertex {} is both on the line and among the fixed vertices: take it out of one", v));
+            }
+        }
+        return {};
+    });
+}
+
+Result<void> MoveState::place()
+{
+    return timed("placement", [&]() -> Result<void> {
+        PlacementResult& placement = result_.placement;
+        placement = decide_placement(model_.mesh, result_.region, result_.correspondence);
+        placement.verdict = options_.placement.value_or(placement.verdict);
+        placement.compressed = options_.compressed_side.value_or(placement.compressed);
+        stiffness_ratio_ = options_.method == Method::arap ? 1 : options_.stiffness_ratio;
+        stiff_direction_ = stiff_direction(result_.correspondence.displacements, stiffness_ratio_);
+        if (stiffness_ratio_ == 1 && options_.method != Method::arap && options_.stiffness_ratio != 1 &&
+            placement.u_max_mm > 0) {
+            result_.warnings.push_back(
+                "the line's displacements have no common direction: an isotropic material is used");
+        }
+        return {};
+    });
+}
+
+bool MoveState::splits() const
+{
+    const bool split_method = options_.method == Method::asan_fl || options_.method == Method::asan_fl_paper;
+    return split_method && result_.placement.verdict == Placement::on_surface;
+}
+
+Result<void> MoveState::extend()
+{
+    return timed("extension", [&]() -> Result<void> {
+        ExtensionOptions options;
+        options.path = options_.extension_path;
+        options.target = result_.extension_target;
+        options.on_surface = result_.placement.verdict == Placement::on_surface;
+        auto extended = extend_line(model_, result_.region, result_.correspondence, options);
+        if (!extended) {
+            return tl::unexpected(extended.error());
+        }
+        extended_ = std::move(*extended);
+        std::ranges::copy(extended_.warnings, std::back_inserter(result_.warnings));
+        // Where the line ends on the rim, it stays there to the bit.
+        for (size_t i = 0; i < extended_.vertices.size(); ++i) {
+            const bool used = static_cast<int>(i) >= extended_.first && static_cast<int>(i) <= extended_.last;
+            if (!used && std::ranges::binary_search(extended_.region.fixed_rim, extended_.vertices[i])) {
+                extended_.targets[i] = extended_.model.mesh.V.row(extended_.vertices[i]);
+            }
+        }
+        return {};
+    });
+}
+
+void MoveState::keep_whole()
+{
+    extended_.model = model_;
+    extended_.region = result_.region;
+    extended_.vertices = result_.correspondence.line.vertices;
+    extended_.closed = result_.correspondence.line.closed;
+    extended_.last = static_cast<int>(extended_.vertices.size()) - 1;
+    extended_.targets = result_.correspondence.targets;
+    whole_.side = whole_region(extended_, options_.clamp_rings);
+    whole_.rest = whole_.V = whole_.side.mesh.V;
+}
+
+Result<void> MoveState::split()
+{
+    return timed("split", [&]() -> Result<void> {
+        auto parts = split_along(extended_, options_.clamp_rings);
+        if (!parts) {
+            return tl::unexpected(parts.error());
+        }
+        for (int s = 0; s < 2; ++s) {
+            sides_[s].side = std::move((*parts)[s]);
+            sides_[s].rest = sides_[s].V = sides_[s].side.mesh.V;
+        }
+        return {};
+    });
+}
+
+Material MoveState::material_for(const std::vector<Vec3>& displacements) const
+{
+    Material material;
+    material.stiffness_ratio = stiffness_ratio_;
+    material.stiff_direction = stiff_direction_;
+    material.stiff = options_.stiff.value_or(splits() ? Stiff::along : Stiff::across);
+    // Once the slide has brought the line to its target there is no direction left to take (method.md A6).
+    if (mean_size(displacements) > 1e-3 * mean_size(result_.correspondence.displacements)) {
+        double ratio = stiffness_ratio_;
+        material.stiff_direction = stiff_direction(displacements, ratio);
+        material.stiffness_ratio = ratio;
+    }
+    return material;
+}
+
+DeformationOptions MoveState::solver_options(const Material& material) const
+{
+    DeformationOptions options;
+    options.material = material;
+    options.max_iterations = options_.max_iterations;
+    options.tolerance_mm = options_.tolerance_mm;
+    if (options.tolerance_mm <= 0) {
+        Positions corners(static_cast<Eigen::Index>(extended_.region.vertices.size()), 3);
+        for (size_t i = 0; i < extended_.region.vertices.size(); ++i) {
+            corners.row(static_cast<Eigen::Index>(i)) = extended_.model.mesh.V.row(extended_.region.vertices[i]);
+        }
+        options.tolerance_mm = 1e-5 * bounding_diagonal(corners);
+    }
+    return options;
+}
+
+Result<void> MoveState::solve(SideState& side, const std::vector<Vec3>& targets, const Material& material,
+                              const std::string& name, const Progress& progress)
+{
+    std::vector<int> constrained = side.side.fixed;
+    std::vector<Vec3> goals;
+    for (const int v : constrained) {
+        goals.push_back(side.side.mesh.V.row(v));
+    }
+    for (size_t i = 0; i < side.side.line.size(); ++i) {
+        if (!is_free(targets[i])) {
+            constrained.push_back(side.side.line[i]);
+            goals.push_back(targets[i]);
+        }
+    }
+    Positions rows(static_cast<Eigen::Index>(goals.size()), 3);
+    for (size_t i = 0; i < goals.size(); ++i) {
+        rows.row(static_cast<Eigen::Index>(i)) = goals[i];
+    }
+    const DeformationOptions options = solver_options(material);
+    auto solved = deform(Mesh{side.rest, side.side.mesh.F}, constrained, rows, options, {}, progress);
+    if (!solved) {
+        return tl::unexpected(solved.error());
+    }
+    side.V = std::move(solved->V);
+    result_.solves.push_back({name, solved->iterations, solved->error_estimate_mm, options.tolerance_mm,
+                              solved->converged, solved->energy, solved->seconds});
+    return {};
+}
+
+Result<void> MoveState::solve_whole(const Progress& progress)
+{
+    return timed("solve", [&] {
+        return solve(whole_, extended_.targets, material_for(result_.correspondence.displacements), "region", progress);
+    });
+}
+
+bool MoveState::compressed_somewhere(int side) const
+{
+    const FeatureLine& line = result_.correspondence.line;
+    const Topology topology(model_.mesh.F, static_cast<int>(model_.mesh.V.rows()));
+    const size_t edges = line.vertices.size() - (line.closed ? 0 : 1);
+    for (size_t i = 0; i < edges; ++i) {
+        const size_t j = (i + 1) % line.vertices.size();
+        const int a = line.vertices[side == 0 ? i : j], b = line.vertices[side == 0 ? j : i];
+        const int t = topology.face_left_of(a, b);
+        if (t < 0) {
+            continue;
+        }
+        const Vec3 direction = (Vec3(model_.mesh.V.row(b)) - Vec3(model_.mesh.V.row(a))).normalized();
+        const Vec3 conormal = triangle_normal(model_.mesh, t).cross(direction);
+        const Vec3 u = 0.5 * (result_.correspondence.displacements[i] + result_.correspondence.displacements[j]);
+        if (u.dot(conormal) > 0.02 * result_.placement.u_max_mm) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Result<void> MoveState::deform_side(int side, const Progress& progress)
+{
+    const bool tense = side == tension();
+    // A zigzag target compresses the tension side in places; it is retracted there (method.md A5).
+    if (tense && options_.method == Method::asan_fl && compressed_somewhere(side)) {
+        if (auto done = retract_side(side); !done) {
+            return done;
+        }
+    }
+    return timed(tense ? "deform tension side" : "deform compression side", [&]() -> Result<void> {
+        SideState& state = sides_[side];
+        std::vector<Vec3> displacements;
+        for (int i = extended_.first; i <= extended_.last; ++i) {
+            displacements.push_back(extended_.targets[i] - Vec3(state.rest.row(state.side.line[i])));
+        }
+        auto done =
+            solve(state, extended_.targets, material_for(displacements), tense ? "tension" : "compression", progress);
+        if (done && tense) {
+            take_free_extension(state);
+        }
+        return done;
+    });
+}
+
+void MoveState::take_free_extension(const SideState& side)
+{
+    for (size_t i = 0; i < extended_.targets.size(); ++i) {
+        if (is_free(extended_.targets[i])) {
+            extended_.targets[i] = side.V.row(side.side.line[i]);
+        }
+    }
+}
+
+Result<void> MoveState::retract_side(int side)
+{
+    return timed("retraction", [&]() -> Result<void> {
+        SideState& state = sides_[side];
+        std::vector<Vec3> displacements;
+        for (size_t i = 0; i < state.side.line.size(); ++i) {
+            const Vec3 u = extended_.targets[i] - Vec3(state.side.mesh.V.row(state.side.line[i]));
+            displacements.push_back(is_free(u) ? Vec3(Vec3::Zero()) : u);
+        }
+        RetractionOptions options;
+        options.mode = result_.retraction.mode;
+        options.material = material_for(result_.correspondence.displacements);
+        auto slid = retract(state.side, displacements, options);
+        if (!slid) {
+            return tl::unexpected(slid.error());
+        }
+        RetractionReport& report = result_.retraction;
+        report.applied = true;
+        report.min_area_ratio = std::min(report.min_area_ratio, slid->min_area_ratio);
+        report.flipped += slid->flipped;
+        report.crossings += slid->crossings;
+        warn_of_folds(*slid);
+        state.rest = state.V = std::move(slid->V);
+        return {};
+    });
+}
+
+void MoveState::warn_of_folds(const RetractionResult& retraction)
+{
+    if (retraction.flipped > 0) {
+        result_.warnings.push_back(fmt::format("the retraction folded {} triangles over: the slide is too long for the "
+                                               "region, widen it (--roi-distance) or shorten the slide",
+                                               retraction.flipped));
+    }
+}
+
+Result<void> MoveState::sew_sides()
+{
+    result_.V = extended_.model.mesh.V;
+    for (const SideState& state : sides_) {
+        sew(state.side, state.V, result_.V);
+    }
+    return {};
+}
+
+Result<void> MoveState::restore_lost_crease(const Progress& progress)
+{
+    return timed("crease", [&]() -> Result<void> {
+        const FeatureLine& line = result_.correspondence.line;
+        const std::vector<double> wanted = signed_crease_angles(extended_.model.mesh, extended_.model.mesh.V, line);
+        const std::vector<double> found = signed_crease_angles(extended_.model.mesh, result_.V, line);
+        double before = 0, kept = 0, lost = 0;
+        for (size_t i = 0; i < wanted.size(); ++i) {
+            before += std::abs(wanted[i]);
+            kept += wanted[i] < 0 ? -found[i] : found[i];
+            lost += std::abs(wanted[i] - found[i]);
+        }
+        result_.crease.lost_before_restoration = lost / static_cast<double>(wanted.size());
+        const bool gone = kept < options_.crease_loss * before;
+        if (options_.crease == CreaseRestoration::off || (options_.crease == CreaseRestoration::automatic && !gone)) {
+            return {};
+        }
+        // The published method turns the compressed side; the tension side leaves the former on the old surface.
+        const int bent = options_.method == Method::asan_fl_paper ? compression() : tension();
+        SideState& state = sides_[bent];
+        const Topology topology(extended_.model.mesh.F, static_cast<int>(extended_.model.mesh.V.rows()));
+        const Mesh moved{result_.V, extended_.model.mesh.F};
+        std::vector<Vec3> other_normals;
+        std::vector<double> angles;
+        for (size_t i = 0; i < wanted.size(); ++i) {
+            const int a = line.vertices[i], b = line.vertices[(i + 1) % line.vertices.size()];
+            const int other = bent == 0 ? topology.face_left_of(b, a) : topology.face_left_of(a, b);
+            other_normals.push_back(triangle_normal(moved, other));
+            angles.push_back(bent == 0 ? wanted[i] : -wanted[i]);
+        }
+        auto restored = restore_crease(state.side, state.V, extended_.first, extended_.last, other_normals, angles,
+                                       solver_options(material_for(result_.correspondence.displacements)));
+        if (!restored) {
+            return tl::unexpected(restored.error());
+        }
+        result_.crease.applied = true;
+        state.V = std::move(restored->V);
+        result_.solves.push_back({"crease", restored->iterations, restored->error_estimate_mm,
+                                  solver_options({}).tolerance_mm, restored->converged, restored->energy,
+                                  restored->seconds});
+        return progress.report(1, "crease") ? sew_sides()
+                                            : fail(ErrorKind::cancelled, "the crease restoration was cancelled");
+    });
+}
+
+MoveResult MoveState::finish()
+{
+    if (!splits()) {
+        result_.V = extended_.model.mesh.V;
+        sew(whole_.side, whole_.V, result_.V);
+        result_.left_faces = extended_.region.faces;
+    } else {
+        const auto inner = [](const SideMesh& side) {
+            return std::vector<int>(side.global_faces.begin(), side.global_faces.begin() + side.inner_faces);
+        };
+        result_.left_faces = inner(sides_[0].side);
+        result_.right_faces = inner(sides_[1].side);
+    }
+    const FeatureLine& line = result_.correspondence.line;
+    const auto mean = [](const std::vector<double>& angles) {
+        double sum = 0;
+        for (const double angle : angles) {
+            sum += std::abs(angle);
+        }
+        return angles.empty() ? 0 : sum / static_cast<double>(angles.size());
+    };
+    result_.crease.before = mean(signed_crease_angles(extended_.model.mesh, extended_.model.mesh.V, line));
+    result_.crease.after = mean(signed_crease_angles(extended_.model.mesh, result_.V, line));
+    result_.extended_line = extended_.vertices;
+    result_.appended = extended_.appended;
+    result_.region = std::move(extended_.region);
+    result_.rest = std::move(extended_.model);
+    return std::move(result_);
+}
+
+} // namespace tapeline

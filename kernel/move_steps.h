@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/move.h"
+#include "kernel/split.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace tapeline
+{
+
+/// A move under way: what the steps of `move_feature_line` hand on to each other. Each step calls one module.
+class MoveState
+{
+public:
+    MoveState(const Model& model, const Region& region, const MoveOptions& options);
+
+    Result<void> correspond_to(const FeatureLine& line, const TargetCurve& target); ///< Section 3.3
+    Result<void> place();                                                           ///< step 1, Section 3.4
+    Result<void> extend();                                                          ///< step 2, Section 5.1
+    Result<void> split();                                                           ///< Section 5.2
+    Result<void> deform_side(int side, const Progress& progress); ///< steps 3 and 5, Sections 5.3, 5.4
+    Result<void> retract_side(int side);                          ///< step 4, Section 4
+    Result<void> sew_sides();                                     ///< step 6, Section 5.5
+    Result<void> restore_lost_crease(const Progress& progress);   ///< step 7, Section 5.6
+
+    void keep_whole(); ///< in place of extend and split
+    Result<void> solve_whole(const Progress& progress);
+
+    /// Whether the method and the verdict ask for the cut.
+    bool splits() const;
+    int compression() const { return static_cast<int>(result_.placement.compressed); }
+    int tension() const { return 1 - compression(); }
+    MoveResult finish();
+
+private:
+    struct SideState {
+        SideMesh side;
+        Positions rest; ///< the rest shape of the next solve: original, or slid after the retraction
+        Positions V;    ///< current positions
+    };
+
+    Material material_for(const std::vector<Vec3>& displacements) const;
+    DeformationOptions solver_options(const Material& material) const;
+    Result<void> solve(SideState& side, const std::vector<Vec3>& targets, const Material& material,
+                       const std::string& name, const Progress& progress);
+    void take_free_extension(const SideState& side);
+    bool compressed_somewhere(int side) const;
+    void warn_of_folds(const RetractionResult& retraction);
+    template <class Step>
+    Result<void> timed(const std::string& stage, const Step& step);
+
+    const Model& model_;
+    const MoveOptions& options_;
+    ExtendedLine extended_;
+    std::array<SideState, 2> sides_;
+    SideState whole_;
+    Vec3 stiff_direction_ = Vec3::UnitX(); ///< d_o of the first solve
+    double stiffness_ratio_ = 1;
+    MoveResult result_;
+};
+
+/// Stiff direction d_o from the line's displacements (Section 5.3): their mean; where they cancel, their principal
+/// axis; `ratio` becomes 1 (isotropic) where neither exists, as on a loop that shrinks evenly.
+Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio);
+
+} // namespace tapeline
