@@ -4,7 +4,8 @@
 #include "kernel/mesh.h"
 #include "kernel/topology.h"
 
-namespace tapeline {
+namespace tapeline
+{
 
 /// A point on a mesh given by a triangle and barycentric weights.
 struct MeshPoint {
@@ -12,10 +13,18 @@ struct MeshPoint {
     Vec3 barycentric = Vec3::Zero();
 };
 
+/// The point in space [mm]; point.face must be a triangle of the mesh.
 Vec3 position_of(const Mesh& mesh, const MeshPoint& point);
 
-/// Slides vertex v along the surface by the tangential part of u: the discrete straightest path from v in that
-/// direction over the length of the tangential part (Section 4.1; method.md F). Stops at a border.
+/// Slides vertex v along the surface by the tangential part of u [mm]: the discrete straightest path from v in that
+/// direction over the length of the tangential part (Section 4.1; method.md F; Polthier and Schmies 1998). The tangent
+/// plane is that of the area-weighted vertex normal; directions are carried into the triangles around v by polar
+/// angles scaled to their angle sum. Where the path meets a vertex it goes on with equal angles to both sides.
+///
+/// Stops at a border or non-manifold edge; a direction that leaves the mesh at v itself, a zero or a non-finite u give
+/// v. Crosses each triangle in constant time, and at most 100 times as many triangles as the mesh has. `face` is -1
+/// only when v belongs to no triangle. At a border vertex the angles are scaled by the fan's opening as seen along the
+/// normal, not to π as in method.md F: a corner of a flat side must not bend the path.
 MeshPoint slide(const Mesh& mesh, const Topology& topology, int v, const Vec3& u);
 
 } // namespace tapeline
