@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/mesh.h"
+#include "kernel/topology.h"
+
+#include <vector>
+
+namespace tapeline
+{
+
+enum class CreaseLevel : char {
+    none,
+    weak,  ///< sharp enough for a line to go on
+    strong ///< sharp enough for a line to start
+};
+
+/// From this angle on an edge of a mesh file is a crease whatever its neighbourhood looks like [deg].
+constexpr double very_sharp_angle = 40;
+
+/// What is left of the crease angle of edge e when the bending that both sides show beside it is taken off [deg].
+/// Walks straight away from the middle of e on both sides (triangles unfolded), measures how fast the facets there
+/// turn, and extrapolates both sides' normals to e: an edge of a coarsely tessellated cylinder or fillet leaves
+/// nearly 0, an edge between two flat or gently curved patches leaves its whole angle.
+double standing_out_angle(const Mesh& mesh, const Topology& topology, int e);
+
+/// Decides for every edge of the model whether it is part of a crease; `high` and `low` are the two thresholds [deg].
+/// - Mesh files: the crease angle reaches the threshold, and it is very sharp or at least 40 % of it stands out.
+/// - On a CAD edge between two CAD faces: the angle between the exact faces' normals reaches the threshold (where
+///   there are no exact faces: as for mesh files). A CAD edge that is a crease over most of its length is filled
+///   where the crease dips below `low` for less than a fifth of it.
+/// - Inside one CAD face: only very sharp edges that stand out, since the rest is tessellation.
+/// Borders and non-manifold edges are never creases.
+std::vector<CreaseLevel> crease_edges(const Model& model, const Topology& topology, double high, double low);
+
+/// CAD edge per mesh edge, -1 = none; ignores tags that name no mesh edge.
+std::vector<int> cad_edge_of_edges(const Model& model, const Topology& topology);
+
+} // namespace tapeline
