@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/move_steps.h"
 
+#include "kernel/border_slide.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -164,8 +166,43 @@ Result<void> MoveState::split()
             sides_[s].side = std::move((*parts)[s]);
             sides_[s].rest = sides_[s].V = sides_[s].side.mesh.V;
         }
-        return {};
+        return guide_borders();
     });
+}
+
+Result<void> MoveState::guide_borders()
+{
+    if (extended_.closed) {
+        return {};
+    }
+    const Mesh& mesh = extended_.model.mesh;
+    const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
+    for (const int entry : {0, static_cast<int>(extended_.vertices.size()) - 1}) {
+        const int end = extended_.vertices[entry];
+        const bool used_end = entry == extended_.first || entry == extended_.last;
+        const bool held = std::ranges::binary_search(extended_.region.fixed_rim, end);
+        if (!used_end || !held || is_free(extended_.targets[entry])) {
+            continue;
+        }
+        auto slide = slide_border(mesh, topology, extended_.region, end, extended_.targets[entry]);
+        if (!slide) {
+            return tl::unexpected(slide.error());
+        }
+        for (SideState& state : sides_) {
+            SideMesh& side = state.side;
+            for (size_t i = 0; i < slide->vertices.size(); ++i) {
+                const auto at = std::ranges::lower_bound(side.to_global, slide->vertices[i]);
+                const int v = static_cast<int>(at - side.to_global.begin());
+                // Only the side's own fixed vertices: those of the other side are not its business.
+                if (at == side.to_global.end() || *at != slide->vertices[i] || std::erase(side.fixed, v) == 0) {
+                    continue;
+                }
+                side.guided.push_back(v);
+                side.guided_targets.push_back(slide->targets[i]);
+            }
+        }
+    }
+    return {};
 }
 
 Material MoveState::material_for(const std::vector<Vec3>& displacements) const
@@ -206,6 +243,10 @@ Result<void> MoveState::solve(SideState& side, const std::vector<Vec3>& targets,
     std::vector<Vec3> goals;
     for (const int v : constrained) {
         goals.push_back(side.side.mesh.V.row(v));
+    }
+    for (size_t i = 0; i < side.side.guided.size(); ++i) {
+        constrained.push_back(side.side.guided[i]);
+        goals.push_back(side.side.guided_targets[i]);
     }
     for (size_t i = 0; i < side.side.line.size(); ++i) {
         if (!is_free(targets[i])) {

@@ -48,6 +48,7 @@ private:
                        const std::string& name, const Progress& progress);
     void take_free_extension(const SideState& side);
     bool compressed_somewhere(int side) const;
+    Result<void> guide_borders();
     void warn_of_folds(const RetractionResult& retraction);
     template <class Step>
     Result<void> timed(const std::string& stage, const Step& step);

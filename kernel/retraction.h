@@ -7,7 +7,8 @@
 
 #include <vector>
 
-namespace tapeline {
+namespace tapeline
+{
 
 enum class RetractionMode {
     harmonic, ///< orthotropic harmonic displacement, slid along the surface (method.md A2; default)
@@ -29,7 +30,7 @@ struct RetractionResult {
 /// Slides the compressed side's vertices along its own surface so that its material makes room for the line
 /// (Sections 4.2, 4.3). `displacements` has one entry per entry of side.line: where that vertex should go, relative to
 /// its rest position [mm]; entries pointing out of the side slide nothing. Fixed vertices do not move. Line vertices
-/// end on the side's surface point closest to rest + displacement (method.md A3).
+/// end on the side's surface point closest to rest + displacement (method.md A3), guided vertices on their own targets.
 Result<RetractionResult> retract(const SideMesh& side, const std::vector<Vec3>& displacements,
                                  const RetractionOptions& options = {});
 

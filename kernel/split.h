@@ -25,8 +25,10 @@ struct SideMesh {
     std::vector<int> to_global;    ///< local vertex -> vertex of the extended model
     std::vector<int> global_faces; ///< local triangle -> triangle of the extended model
     std::vector<int> line;         ///< local indices along L̂0, in the line's order (closed: not repeated)
-    std::vector<int> fixed; ///< local indices of immobile vertices (rim, inner constraints, clamp rings), ascending,
-                            ///< without the vertices of `line`
+    std::vector<int> fixed;  ///< local indices of immobile vertices (rim, inner constraints, clamp rings), ascending,
+                             ///< without the vertices of `line`
+    std::vector<int> guided; ///< local border vertices that make room for a line end sliding along the border
+    std::vector<Vec3> guided_targets; ///< where each of them goes; see border_slide.h
 };
 
 /// Cuts the region along the extended line (Section 5.2) into its left [0] and right [1] part. Rejected when the cut
