@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace tapeline
-{
+namespace tapeline {
 
 void Anderson::restart()
 {

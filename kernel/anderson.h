@@ -4,13 +4,11 @@
 #include <Eigen/Dense>
 #include <deque>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Anderson acceleration of a fixed-point iteration x ← G(x) (Peng et al. 2018; method.md I3): combines the last
 /// differences of G and of F = G - x so that the combined F is smallest.
-class Anderson
-{
+class Anderson {
 public:
     explicit Anderson(int window) : window_(window) {}
 

@@ -8,11 +8,9 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 std::string place(const Mesh& mesh, int v)
 {

@@ -8,13 +8,11 @@
 #include <utility>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// The discretised ASAN energy with its constraints, factorised once (method.md B2, B5). State: the rotations of the
 /// last local step. Unknowns are the free vertices' positions, one row each, in ascending vertex order.
-class AsanSystem
-{
+class AsanSystem {
 public:
     /// Rejected when a triangle has no area, a vertex hangs on no constraint, or the matrix cannot be factorised.
     static Result<AsanSystem> create(const Mesh& rest, const std::vector<int>& constrained, const Material& material);

@@ -9,11 +9,9 @@
 #include <limits>
 #include <numbers>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Part of an open border as a polyline, from the line's end outwards; `arc` is the length from the end.
 struct Chain {

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Vertices of an open border and where they slide.
 struct BorderSlide {

@@ -84,8 +84,7 @@ MeshFoot ClosestPoint::closest(const Vec3& p) const
     const Triangle& triangle = impl_->triangles[index];
     foot.point = from_cgal(point);
     foot.face = impl_->faces[index];
-    foot.barycentric =
-        barycentric(foot.point, from_cgal(triangle[0]), from_cgal(triangle[1]), from_cgal(triangle[2]));
+    foot.barycentric = barycentric(foot.point, from_cgal(triangle[0]), from_cgal(triangle[1]), from_cgal(triangle[2]));
     foot.distance = (p - foot.point).norm();
     return foot;
 }

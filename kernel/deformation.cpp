@@ -10,17 +10,14 @@
 #include <deque>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Turns recent step sizes into an estimate of the distance to the minimiser. The factors are measured bounds:
 /// with Anderson acceleration the true error stayed below 10 times the largest of four steps, without it below 200
 /// times (method.md I7).
-class StepMonitor
-{
+class StepMonitor {
 public:
     explicit StepMonitor(bool accelerated) : factor_(accelerated ? 10 : 200) {}
     void record(double step)

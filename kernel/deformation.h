@@ -9,8 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 struct DeformationOptions {
     Material material;

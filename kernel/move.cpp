@@ -5,16 +5,14 @@
 
 #include <algorithm>
 
-namespace tapeline
-{
+namespace tapeline {
 
 bool MoveResult::converged() const
 {
     return std::ranges::all_of(solves, [](const SolveReport& solve) { return solve.converged; });
 }
 
-namespace
-{
+namespace {
 
 /// The whole region deforms in one piece: off-surface moves and the plain methods.
 Result<void> move_uncut(MoveState& state, const Progress& progress)

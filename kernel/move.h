@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 enum class Method {
     asan_fl,       ///< Tapeline's defaults: harmonic retraction, tapered extension, stiff along d_o
@@ -25,11 +24,7 @@ enum class Method {
     arap           ///< plain ARAP spokes-and-rims on the uncut region
 };
 
-enum class CreaseRestoration {
-    automatic,
-    off,
-    on
-};
+enum class CreaseRestoration { automatic, off, on };
 
 struct MoveOptions {
     Method method = Method::asan_fl;

@@ -11,11 +11,9 @@
 #include <fmt/format.h>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 bool is_free(const Vec3& target) { return !target.allFinite(); }
 

@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// A move under way: what the steps of `move_feature_line` hand on to each other. Each step calls one module.
-class MoveState
-{
+class MoveState {
 public:
     MoveState(const Model& model, const Region& region, const MoveOptions& options);
 

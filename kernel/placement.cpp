@@ -9,11 +9,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Normals of the triangles left and right of the directed edge a→b; zero where there is none.
 std::pair<Vec3, Vec3> normals_beside(const Mesh& mesh, const Topology& topology, int a, int b)

@@ -4,14 +4,10 @@
 #include "kernel/correspondence.h"
 #include "kernel/split.h"
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Whether the line stays on the surface (Section 3.4): decides between split-and-retract and one plain deformation.
-enum class Placement {
-    on_surface,
-    off_surface
-};
+enum class Placement { on_surface, off_surface };
 
 struct PlacementResult {
     Placement verdict = Placement::on_surface;

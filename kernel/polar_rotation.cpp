@@ -5,11 +5,9 @@
 #include <Eigen/SVD>
 #include <cmath>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Horn's symmetric 4×4 matrix: tr(R(q)ᵀ S) = qᵀ N q for a unit quaternion q = (w, x, y, z).
 Eigen::Matrix4d horn_matrix(const Eigen::Matrix3d& S)

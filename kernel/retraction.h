@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 enum class RetractionMode {
     harmonic, ///< orthotropic harmonic displacement, slid along the surface (method.md A2; default)

@@ -7,11 +7,9 @@
 #include <fmt/format.h>
 #include <set>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 constexpr int outside = -1, unreached = 0;
 

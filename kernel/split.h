@@ -7,14 +7,10 @@
 #include <array>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// The side of a line that lies to its left or right, seen from outside along the line's direction.
-enum class LineSide {
-    left = 0,
-    right = 1
-};
+enum class LineSide { left = 0, right = 1 };
 
 /// One part of the region, cut free along L̂0 (the paper's S_a or S_b), with its own vertex numbering.
 /// The first `inner_faces` triangles are the side itself; the rest are the ring of outside triangles that keeps the
