@@ -6,11 +6,13 @@
 
 #include <vector>
 
-namespace tapeline {
+namespace tapeline
+{
 
 struct FitOptions {
-    int control_points = 0;  ///< exact number wanted; 0 = as few as the tolerance needs
-    double tolerance_mm = 0; ///< largest distance of a point to the curve; 0 = max(0.2 sagitta, 1e-4 length) (method.md H2)
+    int control_points = 0; ///< exact number wanted; 0 = as few as the tolerance needs
+    double tolerance_mm =
+        0; ///< largest distance of a point to the curve; 0 = max(0.2 sagitta, 1e-4 length) (method.md H2)
     int degree = 3;
 };
 struct FitReport {

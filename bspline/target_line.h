@@ -7,22 +7,25 @@
 #include <memory>
 #include <vector>
 
-namespace tapeline {
+namespace tapeline
+{
 
 /// Plain data of a B-spline curve; what the JSON target file holds. Knots are given with repetition
 /// (control_points + degree + 1 of them; a closed curve is written clamped, first point = last point).
 struct BSplineData {
     int degree = 3;
     std::vector<double> knots;
-    std::vector<double> weights; ///< empty = all 1
+    std::vector<double> weights;      ///< empty = all 1
     std::vector<Vec3> control_points; ///< [mm]
     bool closed = false;
 };
 
 /// An exact B-spline target line Lt (OpenCASCADE Geom_BSplineCurve behind a light face). Value type, immutable.
-class TargetLine final : public TargetCurve {
+class TargetLine final : public TargetCurve
+{
 public:
-    /// Rejected when the knots, degree, weights and points do not make a curve, or a value is not finite.
+    /// Rejected when the knots, degree, weights and points do not make a curve, or a value is not finite. Knots that
+    /// do not repeat at the ends (unclamped, periodic) are clamped without changing the curve.
     static Result<TargetLine> from_data(const BSplineData& data);
     BSplineData data() const;
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline/arc_length.h"
+#include "bspline/bezier_spans.h"
+#include "bspline/target_line.h"
+
+#include <Geom_BSplineCurve.hxx>
+
+namespace tapeline
+{
+
+/// What a TargetLine holds; everything is fixed at construction. Only for .cpp files of bspline/ (OpenCASCADE header).
+struct TargetLine::Impl {
+    BSplineData data; ///< clamped
+    Handle(Geom_BSplineCurve) curve;
+    spline::BezierSpans spans; ///< the same curve span by span, for bounds and root isolation
+    spline::ArcLengthTable lengths;
+    double tiny = 0; ///< 1e-12 of the curve's extent: what counts as zero distance [mm]
+
+    spline::CurveValue value(double t) const { return spans.span_at(t).value(t); }
+    Vec3 point(double t) const { return value(t).point; }
+    Vec3 derivative(double t) const { return value(t).first; }
+};
+
+} // namespace tapeline
