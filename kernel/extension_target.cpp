@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/extension_target.h"
+
+#include "kernel/closest_point.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+
+namespace tapeline
+{
+
+namespace
+{
+
+const Vec3 free_target = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+
+/// Area-weighted unit normal of the region at each listed vertex.
+std::vector<Vec3> normals_at(const Mesh& mesh, const std::vector<int>& faces, const std::vector<int>& vertices)
+{
+    std::vector<int> slot(mesh.V.rows(), -1);
+    for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
+        slot[vertices[i]] = i;
+    }
+    std::vector<Vec3> normals(vertices.size(), Vec3::Zero());
+    for (const int t : faces) {
+        const Vec3 n = triangle_area(mesh, t) * triangle_normal(mesh, t);
+        for (int k = 0; k < 3; ++k) {
+            if (slot[mesh.F(t, k)] >= 0) {
+                normals[slot[mesh.F(t, k)]] += n;
+            }
+        }
+    }
+    for (Vec3& n : normals) {
+        n.normalize();
+    }
+    return normals;
+}
+
+/// Derivative along the line, outwards, of the displacement at its end [mm/mm]: `end` is the last vertex, `step` walks
+/// inwards. Second order where three vertices are there.
+Vec3 end_slope(const Positions& V, const Correspondence& c, int end, int step)
+{
+    const auto& line = c.line.vertices;
+    const auto u = [&](int k) { return c.displacements[end + k * step]; };
+    const auto h = [&](int k) { return (V.row(line[end + k * step]) - V.row(line[end + (k + 1) * step])).norm(); };
+    const double h0 = h(0);
+    const Vec3 first = (u(0) - u(1)) / h0;
+    if (line.size() < 3) {
+        return first;
+    }
+    const double h1 = h(1);
+    const Vec3 second = (u(1) - u(2)) / h1;
+    return first + (first - second) * (h0 / (h0 + h1));
+}
+
+/// One extension: its vertices from the line's end (included) outwards, and where the displacement comes from.
+struct Arm {
+    std::vector<int> vertices;
+    Vec3 displacement;
+    double slope; ///< of the displacement's size, relative to that size [1/mm]
+};
+
+Arm arm_of(const ExtendedLine& extended, const Positions& V, const Correspondence& c, bool after, int count)
+{
+    const int size = static_cast<int>(extended.vertices.size()), used = static_cast<int>(c.line.vertices.size());
+    Arm arm;
+    for (int i = 0; i <= count; ++i) {
+        const int k = after ? extended.last + i : extended.first - i + size;
+        arm.vertices.push_back(extended.vertices[k % size]);
+    }
+    arm.displacement = after ? c.displacements.back() : c.displacements.front();
+    const Vec3 slope = end_slope(V, c, after ? used - 1 : 0, after ? -1 : 1);
+    const double squared = arm.displacement.squaredNorm();
+    arm.slope = squared > 0 ? slope.dot(arm.displacement) / squared : 0;
+    return arm;
+}
+
+/// Displacements along an arm: the end displacement, turned with the surface normal from vertex to vertex, times the
+/// taper. The last vertex gets zero exactly.
+std::vector<Vec3> tapered(const Mesh& mesh, const std::vector<int>& faces, const Arm& arm)
+{
+    const std::vector<Vec3> normals = normals_at(mesh, faces, arm.vertices);
+    std::vector<double> s{0};
+    for (size_t i = 1; i < arm.vertices.size(); ++i) {
+        s.push_back(s.back() + (mesh.V.row(arm.vertices[i]) - mesh.V.row(arm.vertices[i - 1])).norm());
+    }
+    std::vector<Vec3> displacements{arm.displacement};
+    Vec3 turned = arm.displacement;
+    for (size_t i = 1; i < arm.vertices.size(); ++i) {
+        turned = Eigen::Quaterniond::FromTwoVectors(normals[i - 1], normals[i]) * turned;
+        displacements.push_back(turned * taper(s[i], s.back(), arm.slope));
+    }
+    displacements.back().setZero();
+    return displacements;
+}
+
+Result<void> check_room(const Mesh& mesh, const Arm& arm, const std::vector<Vec3>& displacements)
+{
+    for (size_t i = 1; i < arm.vertices.size(); ++i) {
+        const Vec3 edge = mesh.V.row(arm.vertices[i]) - mesh.V.row(arm.vertices[i - 1]);
+        if ((edge + displacements[i] - displacements[i - 1]).dot(edge) <= 0) {
+            double length = 0;
+            for (size_t k = 1; k < arm.vertices.size(); ++k) {
+                length += (mesh.V.row(arm.vertices[k]) - mesh.V.row(arm.vertices[k - 1])).norm();
+            }
+            const Vec3 at = mesh.V.row(arm.vertices[0]);
+            return fail(ErrorKind::rejected,
+                        fmt::format("the line's end at ({:.6g}, {:.6g}, {:.6g}) mm moves {:.4g} mm, too far along its "
+                                    "extension, which has {:.4g} mm to the region's rim; enlarge the region",
+                                    at.x(), at.y(), at.z(), arm.displacement.norm(), length));
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+double taper(double s, double length, double slope)
+{
+    if (s >= length) {
+        return 0;
+    }
+    const double x = s / length, m = std::clamp(slope * length, -3.0, 0.0);
+    // (1 - x)² (1 + (2 + m) x) is the Hermite cubic with h(0) = 1, h'(0) = m, h(1) = h'(1) = 0.
+    return (1 - x) * (1 - x) * (1 + (2 + m) * x);
+}
+
+Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::vector<int>& faces,
+                         const Correspondence& c, const ExtensionOptions& options)
+{
+    const Mesh& mesh = extended.model.mesh;
+    const int size = static_cast<int>(extended.vertices.size()), used = static_cast<int>(c.line.vertices.size());
+    extended.targets.assign(size, free_target);
+    std::copy(c.targets.begin(), c.targets.end(), extended.targets.begin() + extended.first);
+    const int beyond = size - used;
+    if (beyond > 0 && options.target == ExtensionTarget::tapered) {
+        const ClosestPoint surface(rest.mesh, faces);
+        for (const bool after : {false, true}) {
+            // On a loop both arms share the part that is not used, each up to its middle.
+            const int open_count = after ? size - 1 - extended.last : extended.first;
+            const int count = extended.closed ? (after ? (beyond + 1) / 2 : beyond + 1 - (beyond + 1) / 2) : open_count;
+            const Arm arm = arm_of(extended, rest.mesh.V, c, after, count);
+            const std::vector<Vec3> displacements = tapered(mesh, extended.region.faces, arm);
+            if (auto room = check_room(mesh, arm, displacements); !room) {
+                return room;
+            }
+            for (int i = 1; i <= count; ++i) {
+                const int k = (after ? extended.last + i : extended.first - i + size) % size;
+                const Vec3 at = mesh.V.row(arm.vertices[i]);
+                const bool still = displacements[i].isZero(0);
+                const Vec3 target = at + displacements[i];
+                extended.targets[k] = still ? at : (options.on_surface ? surface.closest(target).point : target);
+            }
+        }
+    }
+    const std::vector<int>& rim = extended.region.fixed_rim;
+    for (int k = 0; k < size; ++k) {
+        const bool in_used = k >= extended.first && k <= extended.last;
+        if (!in_used && std::binary_search(rim.begin(), rim.end(), extended.vertices[k])) {
+            extended.targets[k] = mesh.V.row(extended.vertices[k]);
+        }
+    }
+    return {};
+}
+
+} // namespace tapeline
