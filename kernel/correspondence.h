@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
-namespace tapeline {
+namespace tapeline
+{
 
 enum class CorrespondenceMode {
     projection, ///< each L0 vertex goes to its orthogonal foot on Lt (the paper's eq. 1); Lt trims L0
-    arc_length  ///< equal fractions of arc length
+    arc_length  ///< equal fractions of arc length of the whole line and the whole target; nothing is trimmed
 };
 
 struct CorrespondenceOptions {
@@ -36,6 +37,9 @@ struct Correspondence {
 /// Maps the vertices of L0 to Lt. With `projection`, vertices whose foot falls beyond an end of Lt are trimmed off,
 /// and the first and last used vertices go to the ends of Lt when L0 reaches beyond them. Rejected when fewer than
 /// two edges remain, when feet do not advance monotonically, when a foot is not unique, or when one is too far.
+/// Short stretches near or beyond the target's centre of curvature, where orthogonal feet cannot be even or do not exist
+/// uniquely, are spread by arc length instead, with a warning; the rules are in kernel/foot_matching.h. `before` and
+/// `after` go on with those of `line` where it is a part of a longer line.
 Result<Correspondence> correspond(const Model& model, const FeatureLine& line, const TargetCurve& target,
                                   const CorrespondenceOptions& options = {});
 
