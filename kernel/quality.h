@@ -9,65 +9,83 @@
 #include <string>
 #include <vector>
 
-namespace tapeline {
+namespace tapeline
+{
 
 /// What is measured: a deformed mesh against its rest shape (same triangles), the line on it, and its two sides.
 struct QualityInput {
     const Mesh& rest;
     const Positions& moved;
-    std::vector<int> line;         ///< the moved line's vertices in order
+    std::vector<int> line; ///< the moved line's vertices in order
     bool closed = false;
-    std::vector<int> compressed_faces; ///< region triangles of the compressed side; empty when there is none
-    std::vector<int> tension_faces;    ///< region triangles of the other side
+    std::vector<int> compressed_faces;   ///< region triangles of the compressed side; empty when there is none
+    std::vector<int> tension_faces;      ///< region triangles of the other side
     const TargetCurve* target = nullptr; ///< null: no line error
-    int stations = 9;              ///< number of sections across the line
+    int stations = 9;                    ///< number of sections across the line
 };
 
-/// One section across Lt, as a polyline from the compressed side's rim over the line to the tension side's rim.
+/// One section across Lt: four polylines in one plane, each from the line outwards to the region's rim. A list of
+/// triangles that holds both sides of the line (an uncut region) is taken apart at the line, its right part counting
+/// to the other side.
 struct Section {
-    Vec3 origin = Vec3::Zero(); ///< point of the line
-    Vec3 normal = Vec3::Zero(); ///< of the section plane (the line's tangent)
+    Vec3 origin = Vec3::Zero();      ///< point of the moved line
+    Vec3 normal = Vec3::Zero();      ///< of the section plane (the moved line's tangent)
+    Vec3 rest_normal = Vec3::Zero(); ///< of the plane of the `before` polylines: the same, unless that plane misses L0;
+                                     ///< then L0's tangent at the same place of the line
     std::vector<Vec3> compressed_before, compressed_after; ///< from the line outwards
     std::vector<Vec3> tension_before, tension_after;
 };
 
 struct SectionMeasure {
-    int inflections_before = 0, inflections_after = 0; ///< sign changes of curvature above a dead band, worst station
+    int inflections_before = 0, inflections_after = 0; ///< sign changes of curvature above the dead band of
+                                                       ///< kernel/sections.h, worst station
     double turning_before = 0, turning_after = 0;      ///< total absolute turning [deg], worst station
     double turning_increase = 0;                       ///< largest after − before at one station [deg]
 };
 
 /// Measures 1–7 of the quality page. Lengths mm, angles deg, ratios without unit.
 struct QualityReport {
-    double line_error_max_mm = 0;      ///< line vertices to Lt
-    double chord_error_max_mm = 0;     ///< the moved polyline's mid-edges to Lt
-    double slide_max_mm = 0;           ///< largest displacement of a line vertex
-    double bulge_max_mm = 0;           ///< signed distance of the compressed side to the rest surface, of largest size
+    double line_error_max_mm = 0;  ///< line vertices to Lt
+    double chord_error_max_mm = 0; ///< the moved polyline's mid-edges to Lt
+    double slide_max_mm = 0;       ///< largest displacement of a line vertex
+    double bulge_max_mm = 0;       ///< signed distance of the compressed side to the rest surface, of largest size
     double bulge_rms_mm = 0;
-    double bulge_fraction = 0;         ///< |bulge_max| / slide_max
+    double bulge_fraction = 0; ///< |bulge_max| / slide_max
     Vec3 bulge_at = Vec3::Zero();
     SectionMeasure compressed_sections, tension_sections;
-    double gauss_sign_change = 0;      ///< share of area in [0, 1]
+    double gauss_sign_change = 0; ///< share of area in [0, 1] whose sign went from + to - or back, both beyond the
+                                  ///< dead band (kernel/quality_curvature.cpp; method.md G3); without the line
     double mean_sign_change = 0;
     double crease_before = 0, crease_after = 0; ///< length-weighted mean along the line [deg]
     double crease_rms_difference = 0, crease_max_difference = 0;
     double min_angle_before = 0, min_angle_after = 0;
-    double squash = 1;                 ///< min of (altitude on the line's direction after / before), worst side
-    double min_area_ratio = 1;
-    int flipped = 0;
-    int self_intersections = 0;
-    std::optional<double> symmetry_residual_mm; ///< where the rest shape has a mirror plane
+    double squash = 1;          ///< min of (altitude on the line's direction after / before), worst side
+    double min_area_ratio = 1;  ///< triangle area after / before
+    int flipped = 0;            ///< triangles turned over against their rest normal (compressed side) or against
+                                ///< most of their neighbours (both sides)
+    int self_intersections = 0; ///< pairs of region triangles that meet after the move and did not before
+    std::optional<double>
+        symmetry_residual_mm;          ///< where the rest shape, L0 and Lt share a mirror plane: largest distance
+                                       ///< of a moved vertex's image to the moved mirrored vertex
+    double rim_crease_mean_change = 0; ///< change of the dihedral angle across the region's rim, length-weighted [deg]
+    double rim_crease_max_change = 0;
 };
 
-/// Per-vertex maps for pictures, one value per vertex of the mesh (NaN outside the region).
+/// Per-vertex maps for pictures, one value per vertex of the mesh (NaN outside the region). Curvatures are NaN on the
+/// line and on open borders too, and 0 within the dead band.
 struct QualityMaps {
-    std::vector<double> bulge_mm;
+    std::vector<double> bulge_mm;                  ///< signed distance to the rest surface, both sides
     std::vector<double> gauss_before, gauss_after; ///< angle defect / area [1/mm²]
-    std::vector<double> mean_before, mean_after;   ///< [1/mm]
+    std::vector<double> mean_before, mean_after;   ///< [1/mm], positive = convex seen from outside
 };
 
+/// All numbers. Rejected when the moved mesh does not belong to the rest mesh, an index does not exist or a
+/// coordinate is not finite. The line's vertices should be joined by mesh edges; edges that are not are left out.
 Result<QualityReport> measure_quality(const QualityInput& input);
+/// The maps; empty lists where `measure_quality` would reject the input.
 QualityMaps quality_maps(const QualityInput& input);
+/// The sections at the fractions (k + 1/2) / stations of the moved line's length, normal to it; none where
+/// `measure_quality` would reject the input.
 std::vector<Section> cross_sections(const QualityInput& input);
 
 /// Parts of `faces` to the left and right of the line, for results whose cut is not known (grown from the line's

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/parallel.h"
+#include "kernel/precision.h"
+#include "kernel/quality_detail.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace tapeline::quality {
+
+namespace {
+
+/// Share of the Gauss image's squared perimeter that the image must enclose to count as curved both ways. A circle
+/// encloses 0.08 of it, an ellipse of axes 1:20 encloses 0.01; zigzag of the tessellation adds perimeter but no area.
+constexpr double gauss_band = 0.01;
+/// Share of Σ l|θ| that the signed sum Σ l θ must reach to count as bent one way.
+constexpr double mean_band = 0.05;
+
+/// Discrete curvature of one vertex; zero within the dead band.
+struct Curvature {
+    double gauss = std::numeric_limits<double>::quiet_NaN(); ///< angle defect / area [1/mm²]
+    double mean = std::numeric_limits<double>::quiet_NaN();  ///< Σ l θ / (4 area) [1/mm], positive = convex
+    double area = 0;                                         ///< of the vertex's cell [mm²]
+};
+
+/// What rounding leaves of an angle sum [rad].
+constexpr double angle_rounding = 1e-12;
+
+/// The part of a triangle that lies nearest to its corner, between edges e1 and e2; for obtuse triangles the half or the
+/// quarters that Meyer et al. (2003) take instead.
+double corner_area(const Vec3& e1, const Vec3& e2, double area)
+{
+    const Vec3 e3 = e2 - e1;
+    const double at_corner = e1.dot(e2), at_first = -e1.dot(e3), at_second = e2.dot(e3);
+    if (at_corner < 0) {
+        return area / 2;
+    }
+    if (at_first < 0 || at_second < 0) {
+        return area / 4;
+    }
+    // cot = dot / (2 area); each edge adds its squared length times the opposite cotangent over 8.
+    return area > 0 ? (e1.squaredNorm() * at_second + e2.squaredNorm() * at_first) / (16 * area) : 0;
+}
+
+/// Whether the curvature at v is defined: a whole ring of triangles, away from the line's crease.
+bool measurable(const Context& context, int v)
+{
+    const auto edges = context.topology.vertex_edges(v);
+    return !context.on_line[v] &&
+           std::all_of(edges.begin(), edges.end(), [&](int e) { return context.topology.edge(e).face_count == 2; });
+}
+
+/// `noise` is the precision of a coordinate [mm]. The normals around a vertex, turned by noise / h with h the ring's
+/// smallest altitude, move the border of the Gauss image (perimeter P = Σ|θ|) by that much: its area, the angle defect,
+/// is known to ± (P noise/h + (noise/h)²).
+Curvature curvature_at(const Context& context, const Mesh& mesh, const std::vector<double>& areas,
+                       const std::vector<double>& angles, double noise, int v)
+{
+    double sum = 0, cell = 0, altitude = std::numeric_limits<double>::infinity();
+    for (const int t : context.topology.vertex_faces(v)) {
+        const int k = mesh.F(t, 0) == v ? 0 : (mesh.F(t, 1) == v ? 1 : 2);
+        const Vec3 p = mesh.V.row(v);
+        const Vec3 e1 = mesh.V.row(mesh.F(t, (k + 1) % 3)).transpose() - p;
+        const Vec3 e2 = mesh.V.row(mesh.F(t, (k + 2) % 3)).transpose() - p;
+        sum += std::atan2(e1.cross(e2).norm(), e1.dot(e2));
+        cell += corner_area(e1, e2, areas[t]);
+        const double longest = std::sqrt(std::max({e1.squaredNorm(), e2.squaredNorm(), (e1 - e2).squaredNorm()}));
+        altitude = std::min(altitude, longest > 0 ? 2 * areas[t] / longest : 0);
+    }
+    Curvature result;
+    if (cell <= 0 || altitude <= 0) {
+        return result;
+    }
+    double perimeter = 0, bend = 0, absolute_bend = 0, lengths = 0;
+    for (const int e : context.topology.vertex_edges(v)) {
+        const MeshEdge& edge = context.topology.edge(e);
+        const double length = (mesh.V.row(edge.b) - mesh.V.row(edge.a)).norm();
+        perimeter += std::abs(angles[e]);
+        bend += length * angles[e];
+        absolute_bend += length * std::abs(angles[e]);
+        lengths += length;
+    }
+    const double turn = noise / altitude;
+    const double defect = 2 * std::numbers::pi - sum;
+    result.area = cell;
+    const double gauss_zero = gauss_band * perimeter * perimeter + turn * (perimeter + turn) + angle_rounding;
+    result.gauss = std::abs(defect) > gauss_zero ? defect / result.area : 0;
+    const double mean_zero = mean_band * absolute_bend + (turn + angle_rounding) * lengths;
+    result.mean = std::abs(bend) > mean_zero ? bend / (4 * result.area) : 0;
+    return result;
+}
+
+/// Curvature at each of the region's vertices, in the order of context.vertices.
+std::vector<Curvature> curvatures(const Context& context, const Mesh& mesh, const Positions& normals,
+                                  const std::vector<double>& areas, double noise)
+{
+    std::vector<char> wanted(mesh.V.rows(), 0);
+    for (const int v : context.vertices) {
+        wanted[v] = 1;
+    }
+    std::vector<double> angles(context.topology.edge_count(), 0);
+    parallel_for(context.topology.edge_count(), [&](int e) {
+        const MeshEdge& edge = context.topology.edge(e);
+        if (wanted[edge.a] || wanted[edge.b]) {
+            angles[e] = dihedral(mesh, context.topology, normals, e);
+        }
+    });
+    std::vector<Curvature> result(context.vertices.size());
+    parallel_for(static_cast<int>(result.size()), [&](int i) {
+        const int v = context.vertices[i];
+        if (measurable(context, v)) {
+            result[i] = curvature_at(context, mesh, areas, angles, noise, v);
+        }
+    });
+    return result;
+}
+
+struct BothCurvatures {
+    std::vector<Curvature> before, after;
+};
+
+BothCurvatures both(const Context& context)
+{
+    // What the input's digits leave open at rest is still open after the move.
+    const double noise = 2 * coordinate_precision(context.rest.V);
+    return {curvatures(context, context.rest, context.rest_normals, context.rest_areas, noise),
+            curvatures(context, context.moved, context.moved_normals, context.moved_areas, noise)};
+}
+
+} // namespace
+
+void measure_curvature(const Context& context, QualityReport& report)
+{
+    const auto [before, after] = both(context);
+    double area = 0, gauss = 0, mean = 0;
+    for (size_t i = 0; i < before.size(); ++i) {
+        if (std::isnan(before[i].gauss) || std::isnan(after[i].gauss)) {
+            continue;
+        }
+        area += before[i].area;
+        gauss += before[i].gauss * after[i].gauss < 0 ? before[i].area : 0;
+        mean += before[i].mean * after[i].mean < 0 ? before[i].area : 0;
+    }
+    report.gauss_sign_change = area > 0 ? gauss / area : 0;
+    report.mean_sign_change = area > 0 ? mean / area : 0;
+}
+
+void curvature_maps(const Context& context, QualityMaps& maps)
+{
+    const auto [before, after] = both(context);
+    for (auto* map : {&maps.gauss_before, &maps.gauss_after, &maps.mean_before, &maps.mean_after}) {
+        map->assign(context.rest.V.rows(), std::numeric_limits<double>::quiet_NaN());
+    }
+    for (size_t i = 0; i < before.size(); ++i) {
+        const int v = context.vertices[i];
+        maps.gauss_before[v] = before[i].gauss;
+        maps.gauss_after[v] = after[i].gauss;
+        maps.mean_before[v] = before[i].mean;
+        maps.mean_after[v] = after[i].mean;
+    }
+}
+
+} // namespace tapeline::quality
