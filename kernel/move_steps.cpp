@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -61,16 +60,6 @@ MoveState::MoveState(const Model& model, const Region& region, const MoveOptions
     const RetractionMode retraction =
         options.method == Method::asan_fl_paper ? RetractionMode::planes : RetractionMode::harmonic;
     result_.retraction.mode = options.retraction.value_or(retraction);
-}
-
-template <class Step>
-Result<void> MoveState::timed(const std::string& stage, const Step& step)
-{
-    const auto begin = std::chrono::steady_clock::now();
-    Result<void> done = step();
-    result_.seconds.emplace_back(stage,
-                                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    return done;
 }
 
 Result<void> MoveState::correspond_to(const FeatureLine& line, const TargetCurve& target)
@@ -374,51 +363,6 @@ Result<void> MoveState::sew_sides()
     return {};
 }
 
-Result<void> MoveState::restore_lost_crease(const Progress& progress)
-{
-    return timed("crease", [&]() -> Result<void> {
-        const FeatureLine& line = result_.correspondence.line;
-        const std::vector<double> wanted = signed_crease_angles(extended_.model.mesh, extended_.model.mesh.V, line);
-        const std::vector<double> found = signed_crease_angles(extended_.model.mesh, result_.V, line);
-        double before = 0, kept = 0, lost = 0;
-        for (size_t i = 0; i < wanted.size(); ++i) {
-            before += std::abs(wanted[i]);
-            kept += wanted[i] < 0 ? -found[i] : found[i];
-            lost += std::abs(wanted[i] - found[i]);
-        }
-        result_.crease.lost_before_restoration = lost / static_cast<double>(wanted.size());
-        const bool gone = kept < options_.crease_loss * before;
-        if (options_.crease == CreaseRestoration::off || (options_.crease == CreaseRestoration::automatic && !gone)) {
-            return {};
-        }
-        // The published method turns the compressed side; the tension side leaves the former on the old surface.
-        const int bent = options_.method == Method::asan_fl_paper ? compression() : tension();
-        SideState& state = sides_[bent];
-        const Topology topology(extended_.model.mesh.F, static_cast<int>(extended_.model.mesh.V.rows()));
-        const Mesh moved{result_.V, extended_.model.mesh.F};
-        std::vector<Vec3> other_normals;
-        std::vector<double> angles;
-        for (size_t i = 0; i < wanted.size(); ++i) {
-            const int a = line.vertices[i], b = line.vertices[(i + 1) % line.vertices.size()];
-            const int other = bent == 0 ? topology.face_left_of(b, a) : topology.face_left_of(a, b);
-            other_normals.push_back(triangle_normal(moved, other));
-            angles.push_back(bent == 0 ? wanted[i] : -wanted[i]);
-        }
-        auto restored = restore_crease(state.side, state.V, extended_.first, extended_.last, other_normals, angles,
-                                       solver_options(material_for(result_.correspondence.displacements)));
-        if (!restored) {
-            return tl::unexpected(restored.error());
-        }
-        result_.crease.applied = true;
-        state.V = std::move(restored->V);
-        result_.solves.push_back({"crease", restored->iterations, restored->error_estimate_mm,
-                                  solver_options({}).tolerance_mm, restored->converged, restored->energy,
-                                  restored->seconds});
-        return progress.report(1, "crease") ? sew_sides()
-                                            : fail(ErrorKind::cancelled, "the crease restoration was cancelled");
-    });
-}
-
 MoveResult MoveState::finish()
 {
     if (!splits()) {
@@ -432,16 +376,7 @@ MoveResult MoveState::finish()
         result_.left_faces = inner(sides_[0].side);
         result_.right_faces = inner(sides_[1].side);
     }
-    const FeatureLine& line = result_.correspondence.line;
-    const auto mean = [](const std::vector<double>& angles) {
-        double sum = 0;
-        for (const double angle : angles) {
-            sum += std::abs(angle);
-        }
-        return angles.empty() ? 0 : sum / static_cast<double>(angles.size());
-    };
-    result_.crease.before = mean(signed_crease_angles(extended_.model.mesh, extended_.model.mesh.V, line));
-    result_.crease.after = mean(signed_crease_angles(extended_.model.mesh, result_.V, line));
+    report_crease();
     result_.extended_line = extended_.vertices;
     result_.appended = extended_.appended;
     result_.region = std::move(extended_.region);

@@ -5,6 +5,7 @@
 #include "kernel/split.h"
 
 #include <array>
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ private:
     void take_free_extension(const SideState& side);
     bool compressed_somewhere(int side) const;
     Result<void> guide_borders();
+    void report_crease();
+    Result<void> bend_side(int side, const std::vector<double>& wanted);
     void warn_of_folds(const RetractionResult& retraction);
     template <class Step>
     Result<void> timed(const std::string& stage, const Step& step);
@@ -64,5 +67,15 @@ private:
 /// Stiff direction d_o from the line's displacements (Section 5.3): their mean; where they cancel, their principal
 /// axis; `ratio` becomes 1 (isotropic) where neither exists, as on a loop that shrinks evenly.
 Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio);
+
+template <class Step>
+Result<void> MoveState::timed(const std::string& stage, const Step& step)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    Result<void> done = step();
+    result_.seconds.emplace_back(stage,
+                                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    return done;
+}
 
 } // namespace tapeline
