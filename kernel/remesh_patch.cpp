@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/remesh_stages.h"
+
+#include <algorithm>
+
+namespace tapeline {
+
+namespace {
+
+/// Numbers the edge-connected parts that the kept edges leave; one number per triangle.
+std::vector<int> parts_of(const Mesh& mesh, const std::vector<VertexPair>& kept)
+{
+    const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
+    std::vector<int> part(mesh.F.rows(), -1);
+    int count = 0;
+    for (int seed = 0; seed < mesh.F.rows(); ++seed) {
+        if (part[seed] >= 0) {
+            continue;
+        }
+        std::vector<int> stack{seed};
+        part[seed] = count;
+        while (!stack.empty()) {
+            const int t = stack.back();
+            stack.pop_back();
+            for (const int e : topology.face_edges(t)) {
+                const MeshEdge& edge = topology.edge(e);
+                const int next = topology.face_across(t, e);
+                if (next >= 0 && part[next] < 0 &&
+                    !std::binary_search(kept.begin(), kept.end(), VertexPair{edge.a, edge.b})) {
+                    part[next] = count;
+                    stack.push_back(next);
+                }
+            }
+        }
+        ++count;
+    }
+    return part;
+}
+
+} // namespace
+
+Result<Remeshed> remesh_patch(const Divided& divided, const RemeshOptions& options)
+{
+    Remeshed out;
+    out.patch = patch_of_faces(divided.model.mesh, divided.faces);
+    IsotropicInput input;
+    input.mesh = out.patch.mesh;
+    std::vector<char> tip(divided.model.mesh.V.rows(), 0);
+    for (const int v : divided.tips) {
+        tip[v] = 1;
+    }
+    for (int v = 0; v < static_cast<int>(out.patch.to_vertex.size()); ++v) {
+        if (tip[out.patch.to_vertex[v]]) {
+            input.kept_vertices.push_back(v);
+        }
+    }
+    for (int t = 0; t < input.mesh.F.rows(); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            const int a = input.mesh.F(t, k), b = input.mesh.F(t, (k + 1) % 3);
+            if (std::binary_search(divided.kept.begin(), divided.kept.end(),
+                                   vertex_pair(out.patch.to_vertex[a], out.patch.to_vertex[b]))) {
+                input.kept_edges.push_back(vertex_pair(a, b));
+            }
+        }
+    }
+    std::sort(input.kept_edges.begin(), input.kept_edges.end());
+    out.part = parts_of(input.mesh, input.kept_edges);
+    input.part = out.part;
+    input.edge_length = options.max_edge_mm;
+    input.iterations = options.iterations;
+    auto result = remesh_isotropic(input);
+    if (!result) {
+        return tl::unexpected(result.error());
+    }
+    out.result = std::move(*result);
+    return out;
+}
+
+} // namespace tapeline
