@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// A point of a path over a mesh: the vertex a (then b = -1), or the point (1 - t) V[a] + t V[b] inside the edge a < b.
 struct PathPoint {

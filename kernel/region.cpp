@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/region.h"
+
+#include "kernel/closest_point.h"
+#include "kernel/geodesic_distance.h"
+#include "kernel/parallel.h"
+#include "kernel/region_check.h"
+#include "kernel/region_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace tapeline {
+
+namespace {
+
+constexpr double room_for_slide = 3;     ///< automatic width per largest displacement
+constexpr double room_for_length = 0.35; ///< automatic width per line length (closed: per its length / π)
+constexpr double narrowest = 1.5;        ///< automatic width is never narrowed below this many displacements
+constexpr double squeezed = 1.5;         ///< given widths below this many displacements are warned about
+
+/// The triangles that a way of choosing picked, not yet checked.
+struct Choice {
+    FaceSet inside;
+    double distance_mm = 0;
+    std::vector<std::string> warnings;
+};
+
+struct Request {
+    const Model& model;
+    const Topology& topology;
+    const FeatureLine& line;
+    const std::vector<Vec3>& targets;
+    const std::vector<MeshFoot>& feet;
+    const RegionOptions& options;
+    std::vector<int> beside_line;
+    double largest_move = 0;
+};
+
+/// Distance along the surface to the line and to the targets' feet, per vertex.
+std::vector<double> band_distance(const Request& r)
+{
+    std::vector<DistanceSeed> seeds;
+    for (const int v : r.line.vertices) {
+        seeds.push_back({v, 0, r.model.mesh.V.row(v)});
+    }
+    for (const MeshFoot& foot : r.feet) {
+        for (int k = 0; k < 3 && foot.face >= 0; ++k) {
+            const int v = r.model.mesh.F(foot.face, k);
+            seeds.push_back({v, (Vec3(r.model.mesh.V.row(v)) - foot.point).norm(), foot.point});
+        }
+    }
+    return geodesic_distance(r.model.mesh, r.topology, seeds);
+}
+
+FaceSet within(const Request& r, const std::vector<double>& distance, double width)
+{
+    FaceSet inside(r.topology.face_count(), 0);
+    for (int t = 0; t < r.topology.face_count(); ++t) {
+        const auto corner = [&](int k) { return distance[r.model.mesh.F(t, k)] <= width; };
+        inside[t] = corner(0) && corner(1) && corner(2);
+    }
+    return tidy(r.model.mesh, r.topology, std::move(inside), r.beside_line);
+}
+
+Choice choose_by_distance(const Request& r)
+{
+    const std::vector<double> distance = band_distance(r);
+    Choice choice;
+    const double length = r.line.length_mm / (r.line.closed ? std::numbers::pi : 1);
+    const double edges = static_cast<double>(r.line.vertices.size()) - (r.line.closed ? 0 : 1);
+    const double least = std::max(narrowest * r.largest_move, 3 * r.line.length_mm / edges);
+    choice.distance_mm = r.options.distance_mm > 0
+                             ? r.options.distance_mm
+                             : std::max({room_for_slide * r.largest_move, room_for_length * length, least});
+    choice.inside = within(r, distance, choice.distance_mm);
+    const auto simple = [&](const FaceSet& inside) {
+        return shape_of(r.model.mesh, r.topology, inside).simple_around(r.line);
+    };
+    if (r.options.distance_mm > 0) {
+        if (choice.distance_mm < squeezed * r.largest_move) {
+            choice.warnings.push_back(fmt::format(
+                "the region's width of {:.4g} mm is small for a move of {:.4g} mm: triangles may be squeezed "
+                "to {:.0f} % of their width",
+                choice.distance_mm, r.largest_move, 100 * choice.distance_mm / (choice.distance_mm + r.largest_move)));
+        }
+        return choice;
+    }
+    // A band that closes round the model or takes in holes cannot be cut into two sides: try narrower ones.
+    for (double width = choice.distance_mm; !simple(choice.inside) && width >= least; width *= 0.85) {
+        FaceSet narrower = within(r, distance, width);
+        if (simple(narrower)) {
+            choice.warnings.push_back(fmt::format("the region was narrowed from {:.4g} to {:.4g} mm so that it stays a "
+                                                  "disk around the line",
+                                                  choice.distance_mm, width));
+            choice.inside = std::move(narrower);
+            choice.distance_mm = width;
+            break;
+        }
+    }
+    return choice;
+}
+
+Result<Choice> choose_by_cad_faces(const Request& r)
+{
+    if (r.model.cad_face.empty()) {
+        return fail(ErrorKind::rejected, "the region cannot be chosen by CAD faces: the model is a mesh without them");
+    }
+    const int known = *std::ranges::max_element(r.model.cad_face);
+    for (const int face : r.options.cad_faces) {
+        if (face < 0 || std::ranges::count(r.model.cad_face, face) == 0) {
+            return fail(ErrorKind::rejected, fmt::format("no CAD face {}: the model has faces 0 to {}", face, known));
+        }
+    }
+    Choice choice;
+    choice.inside.assign(r.topology.face_count(), 0);
+    for (int t = 0; t < r.topology.face_count(); ++t) {
+        choice.inside[t] = std::ranges::count(r.options.cad_faces, r.model.cad_face[t]) > 0;
+    }
+    choice.inside = connected_part(r.topology, choice.inside, r.beside_line);
+    return choice;
+}
+
+Result<Choice> choose_by_bounding_lines(const Request& r)
+{
+    std::vector<char> barrier(r.topology.edge_count(), 0);
+    for (const auto& chain : r.options.bounding_lines) {
+        for (size_t i = 0; i + 1 < chain.size(); ++i) {
+            const int a = chain[i], b = chain[i + 1], n = r.topology.vertex_count();
+            const int e = a < 0 || b < 0 || a >= n || b >= n ? -1 : r.topology.find_edge(a, b);
+            if (e < 0) {
+                return fail(ErrorKind::rejected,
+                            fmt::format("no mesh edge joins the bounding line's vertices {} and {}", a, b));
+            }
+            barrier[e] = 1;
+        }
+    }
+    for (size_t i = 0; i + 1 < r.line.vertices.size() + (r.line.closed ? 1 : 0); ++i) {
+        const int a = r.line.vertices[i], b = r.line.vertices[(i + 1) % r.line.vertices.size()];
+        if (barrier[r.topology.find_edge(a, b)]) {
+            return fail(ErrorKind::rejected,
+                        fmt::format("the line to move is also a bounding line at {}", vertex_place(r.model.mesh, a)));
+        }
+    }
+    Choice choice;
+    choice.inside = connected_part(r.topology, FaceSet(r.topology.face_count(), 1), r.beside_line, barrier);
+    for (int e = 0; e < r.topology.edge_count(); ++e) {
+        const MeshEdge& edge = r.topology.edge(e);
+        if (barrier[e] && edge.left >= 0 && edge.right >= 0 && choice.inside[edge.left] && choice.inside[edge.right]) {
+            choice.warnings.push_back(
+                fmt::format("the bounding lines do not close the region off: it reaches both sides "
+                            "of them at {}",
+                            vertex_place(r.model.mesh, edge.a)));
+            break;
+        }
+    }
+    return choice;
+}
+
+Choice choose_by_box(const Request& r)
+{
+    Choice choice;
+    choice.inside.assign(r.topology.face_count(), 0);
+    for (int t = 0; t < r.topology.face_count(); ++t) {
+        const auto corner = [&](int k) {
+            return r.options.box->contains(Vec3(r.model.mesh.V.row(r.model.mesh.F(t, k))));
+        };
+        choice.inside[t] = corner(0) && corner(1) && corner(2);
+    }
+    choice.inside = tidy(r.model.mesh, r.topology, std::move(choice.inside), r.beside_line);
+    return choice;
+}
+
+Result<Choice> choose(const Request& r)
+{
+    if (!r.options.cad_faces.empty()) {
+        return choose_by_cad_faces(r);
+    }
+    if (!r.options.bounding_lines.empty()) {
+        return choose_by_bounding_lines(r);
+    }
+    return r.options.box ? choose_by_box(r) : choose_by_distance(r);
+}
+
+/// Tells where the region is more than a disk around the line; the steps after may still manage.
+void warn_of_shape(const Request& r, const FaceSet& inside, std::vector<std::string>& warnings)
+{
+    const RegionShape shape = shape_of(r.model.mesh, r.topology, inside);
+    if (shape.openings.empty() || shape.simple_around(r.line)) {
+        return;
+    }
+    if (shape.openings.size() > 1) {
+        const int v = shape.openings[1].front();
+        warnings.push_back(fmt::format("the region is not a disk around the line: it has {} openings, one at {}{}; a "
+                                       "smaller region may leave it out",
+                                       shape.openings.size(), vertex_place(r.model.mesh, v),
+                                       r.topology.border_vertex(v) ? " (an open border of the model)" : ""));
+    } else {
+        warnings.push_back("the region is not a disk around the line: it has a handle; choose a smaller region");
+    }
+}
+
+Region complete(const Topology& topology, std::vector<int> faces, bool free_borders,
+                const std::vector<int>& fixed_vertices)
+{
+    Region region;
+    std::ranges::sort(faces);
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    std::vector<char> inside(topology.face_count(), 0), seen(topology.vertex_count(), 0);
+    std::vector<char> held(topology.vertex_count(), 0);
+    for (const int v : fixed_vertices) {
+        if (v >= 0 && v < topology.vertex_count()) {
+            held[v] = 1;
+        }
+    }
+    for (const int t : faces) {
+        inside[t] = 1;
+        for (const int e : topology.face_edges(t)) {
+            seen[topology.edge(e).a] = seen[topology.edge(e).b] = 1;
+        }
+    }
+    for (int v = 0; v < topology.vertex_count(); ++v) {
+        if (!seen[v]) {
+            continue;
+        }
+        region.vertices.push_back(v);
+        const bool beside_outside = std::ranges::any_of(topology.vertex_faces(v), [&](int t) { return !inside[t]; });
+        if (beside_outside || (!free_borders && topology.border_vertex(v))) {
+            region.fixed_rim.push_back(v);
+        } else if (held[v]) {
+            region.inner_fixed.push_back(v);
+        }
+    }
+    region.faces = std::move(faces);
+    return region;
+}
+
+Result<Region> make_checked(const Request& r)
+{
+    auto choice = choose(r);
+    if (!choice) {
+        return tl::unexpected(choice.error());
+    }
+    std::vector<int> faces;
+    for (int t = 0; t < r.topology.face_count(); ++t) {
+        if (choice->inside[t]) {
+            faces.push_back(t);
+        }
+    }
+    Region region = complete(r.topology, std::move(faces), r.options.free_borders, r.options.fixed_vertices);
+    region.distance_mm = choice->distance_mm;
+    region.warnings = std::move(choice->warnings);
+    if (auto checked = check_region(r.model, r.topology, r.line, region, r.options); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    if (auto checked = check_targets(r.model, r.topology, r.line, r.targets, r.feet, region, r.options); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    warn_of_shape(r, choice->inside, region.warnings);
+    return region;
+}
+
+} // namespace
+
+Region region_of_faces(const Model& model, std::vector<int> faces, bool free_borders,
+                       const std::vector<int>& fixed_vertices)
+{
+    const Topology topology(model.mesh.F, static_cast<int>(model.mesh.V.rows()));
+    return complete(topology, std::move(faces), free_borders, fixed_vertices);
+}
+
+Result<Region> make_region(const Model& model, const FeatureLine& line, const std::vector<Vec3>& targets,
+                           const RegionOptions& options)
+try {
+    const Topology topology(model.mesh.F, static_cast<int>(model.mesh.V.rows()));
+    if (auto checked = check_request(model, topology, line, targets, options); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    std::vector<MeshFoot> feet(targets.size());
+    double largest_move = 0;
+    if (!targets.empty()) {
+        const ClosestPoint surface(model.mesh);
+        parallel_for(
+            static_cast<int>(targets.size()), [&](int i) { feet[i] = surface.closest(targets[i]); }, 16);
+        for (size_t i = 0; i < targets.size(); ++i) {
+            largest_move = std::max(largest_move, (targets[i] - Vec3(model.mesh.V.row(line.vertices[i]))).norm());
+        }
+    }
+    return make_checked({model, topology, line, targets, feet, options, faces_along(topology, line), largest_move});
+} catch (const std::exception& problem) {
+    return fail(ErrorKind::rejected, fmt::format("the region cannot be made: {}", problem.what()));
+}
+
+} // namespace tapeline
