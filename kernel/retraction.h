@@ -28,8 +28,31 @@ struct RetractionResult {
 
 /// Slides the compressed side's vertices along its own surface so that its material makes room for the line
 /// (Sections 4.2, 4.3). `displacements` has one entry per entry of side.line: where that vertex should go, relative to
-/// its rest position [mm]; entries pointing out of the side slide nothing. Fixed vertices do not move. Line vertices
-/// end on the side's surface point closest to rest + displacement (method.md A3), guided vertices on their own targets.
+/// its rest position [mm].
+///
+/// Both modes. Fixed vertices do not move, nor does any vertex whose displacement comes out as zero, to the bit. Line
+/// vertices end on the side's surface point closest to rest + displacement (method.md A3), so L'0 = Lt where Lt lies
+/// on the surface. Entries that point out of the side slide nothing (method.md A5): where u·m < 0, m the mean unit
+/// conormal into the side, only u's part across m is kept, faded to zero over a tenth of the largest |u|. Guided
+/// vertices go to their own targets, in the proportion in which the nearer end of the line follows its displacement.
+/// Free borders keep their shape; from where the line ends on one, its vertices slide along it in proportion to arc
+/// length.
+///
+/// `harmonic`: the displacement vectors are the orthotropic harmonic extension of those values (zero on the rim), and
+/// each vertex goes to the surface point closest to P + u, on the sheet that the straightest path along u leads to.
+/// Beyond method.md A2, up to three further rounds divide each triangle's stiffness by what compression left of it, so
+/// that compression is shared more evenly (crease panel, 100 mm: smallest altitude on the line 0.66 instead of 0.60).
+/// If triangles flip, all is tried again with the square root of the stiffness ratio and isotropic, and at last the
+/// displacement is averaged around the folds; the attempt with fewest flips, then least compression, is returned.
+/// `flipped` > 0 then means: the slide is too long for the side's width.
+///
+/// `planes`: C_P is the section of the side with the plane through P spanned by the area-weighted vertex normal and
+/// the mean displacement. It ends on two borders, at distances along the curve; u_P is linear between the borders'
+/// displacements, which is the paper's lambda u_0 when they are L0 and the rim, zero between rim and rim, and defined
+/// between L0 and L0. Where C_P closes or does not exist, edge-graph distances to the line and to the rim stand in.
+/// Vertices then `slide`. No repair of flips: as published.
+///
+/// Usage error: counts differ. Rejected: displacements that are not finite, triangles without area (place named).
 Result<RetractionResult> retract(const SideMesh& side, const std::vector<Vec3>& displacements,
                                  const RetractionOptions& options = {});
 

@@ -4,14 +4,13 @@
 #include "kernel/topology.h"
 #include "tests/support/shapes.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 
-namespace tapeline::testing
-{
+namespace tapeline::testing {
 
 std::vector<int> grid_row(int nx, int j)
 {
@@ -61,32 +60,22 @@ SideMesh left_side(const Mesh& mesh, const std::vector<int>& line, bool closed,
     return std::move((*sides)[0]);
 }
 
-double squash(const Mesh& rest, int faces, const Positions& moved, const Vec3& direction)
+double squash(const SideMesh& side, const Positions& moved, const Vec3& direction)
 {
-    const auto altitude = [&](const Positions& V, int t) {
-        const Vec3 a = V.row(rest.F(t, 0)), b = V.row(rest.F(t, 1)), c = V.row(rest.F(t, 2));
-        const Vec3 along(a.dot(direction), b.dot(direction), c.dot(direction));
-        return (b - a).cross(c - a).norm() / (along.maxCoeff() - along.minCoeff());
-    };
+    const Mesh& rest = side.mesh;
     double smallest = 1;
-    for (int t = 0; t < faces; ++t) {
-        smallest = std::min(smallest, altitude(moved, t) / altitude(rest.V, t));
-    }
-    return smallest;
-}
-
-double squash_at_line(const SideMesh& side, const Positions& moved)
-{
-    const Topology topology(side.mesh.F.topRows(side.inner_faces), static_cast<int>(side.mesh.V.rows()));
-    double smallest = 1;
-    for (size_t i = 0; i + 1 < side.line.size(); ++i) {
-        const int a = side.line[i], b = side.line[i + 1], t = topology.face_left_of(a, b);
-        const int c = side.mesh.F.row(t).sum() - a - b;
-        const auto altitude = [&](const Positions& V) {
-            const Vec3 edge = V.row(b) - V.row(a), arm = V.row(c) - V.row(a);
-            return edge.cross(arm).norm() / edge.norm();
-        };
-        smallest = std::min(smallest, altitude(moved) / altitude(side.mesh.V));
+    for (int t = 0; t < side.inner_faces; ++t) {
+        const Vec3 p = rest.V.row(rest.F(t, 0)), q = moved.row(rest.F(t, 0));
+        Eigen::Matrix<double, 3, 2> before, after;
+        for (int k = 0; k < 2; ++k) {
+            before.col(k) = rest.V.row(rest.F(t, k + 1)).transpose() - p;
+            after.col(k) = moved.row(rest.F(t, k + 1)).transpose() - q;
+        }
+        // The direction as combination of the triangle's edges, normal part left out.
+        const Eigen::Vector2d weights = (before.transpose() * before).inverse() * (before.transpose() * direction);
+        const double stretch = (after * weights).norm() / (before * weights).norm();
+        const double area_ratio = after.col(0).cross(after.col(1)).norm() / before.col(0).cross(before.col(1)).norm();
+        smallest = std::min(smallest, area_ratio / stretch);
     }
     return smallest;
 }

@@ -6,8 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace tapeline::testing
-{
+namespace tapeline::testing {
 
 /// Row j of a `grid` with nx cells along x, in the order of growing x.
 std::vector<int> grid_row(int nx, int j);
@@ -21,12 +20,10 @@ ExtendedLine line_across(const Mesh& mesh, const std::vector<int>& line, bool cl
 SideMesh left_side(const Mesh& mesh, const std::vector<int>& line, bool closed = false,
                    const std::function<bool(const Vec3&)>& in_region = {});
 
-/// Squash of the first `faces` triangles: the smallest ratio after / before of the altitude that belongs to the
-/// triangle's extent along `direction` (twice the area by that extent).
-double squash(const Mesh& rest, int faces, const Positions& moved, const Vec3& direction);
-
-/// The same by the altitude on the moved line's own direction where the triangle has an edge on the line.
-double squash_at_line(const SideMesh& side, const Positions& moved);
+/// Squash of the side: the smallest ratio after / before, over its triangles, of the altitude on the line's direction.
+/// `direction` is the line's at rest; in the moved triangle it is the image of that direction, so the ratio is
+/// (area ratio) / (stretch along the direction).
+double squash(const SideMesh& side, const Positions& moved, const Vec3& direction);
 
 /// Displacements of the side's line to the crease-slide target y = s cos²(πx/400) of the crease panel.
 std::vector<Vec3> crease_slide(const SideMesh& side, double s);

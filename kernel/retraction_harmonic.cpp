@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/parallel.h"
+#include "kernel/retraction_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapeline {
+
+namespace {
+
+constexpr int equalizing_rounds = 3;
+constexpr int smoothing_passes = 30;
+/// Compression below this counts as this, so that one spoilt triangle does not stiffen without bound.
+constexpr double least_compression = 0.05;
+
+/// Displacement of every vertex: the harmonic extension of what the line, the free borders and the rim do.
+Eigen::MatrixXd extend(const RetractionTask& task, const std::vector<TriangleElement>& elements)
+{
+    const Mesh& inner = task.inner();
+    std::vector<int> constrained;
+    for (int v = 0; v < inner.V.rows(); ++v) {
+        if (!task.free(v)) {
+            constrained.push_back(v);
+        }
+    }
+    Eigen::MatrixXd values(static_cast<Eigen::Index>(constrained.size()), 3);
+    for (size_t i = 0; i < constrained.size(); ++i) {
+        const int v = constrained[i], entry = task.line_entry(v);
+        values.row(static_cast<Eigen::Index>(i)) =
+            entry >= 0 ? task.moves()[entry].transpose() : (task.start().row(v) - inner.V.row(v)).eval();
+    }
+    return harmonic_extension(stiffness_matrix(inner, elements), constrained, values);
+}
+
+void place_all(const RetractionTask& task, const Eigen::MatrixXd& u, const std::vector<int>& vertices, Positions& V)
+{
+    parallel_for(static_cast<int>(vertices.size()), [&](int i) {
+        const int v = vertices[i];
+        const Vec3 move = u.row(v);
+        if (!move.isZero(0)) {
+            V.row(v) = task.place(v, move);
+        }
+    });
+}
+
+std::vector<int> free_vertices(const RetractionTask& task)
+{
+    std::vector<int> free;
+    for (int v = 0; v < task.inner().V.rows(); ++v) {
+        if (task.free(v)) {
+            free.push_back(v);
+        }
+    }
+    return free;
+}
+
+/// The free vertices within `rings` rings of the listed triangles, ascending.
+std::vector<int> patch(const RetractionTask& task, const std::vector<int>& faces, int rings)
+{
+    const Triangles& F = task.inner().F;
+    std::vector<char> in(task.inner().V.rows(), 0);
+    for (const int t : faces) {
+        in[F(t, 0)] = in[F(t, 1)] = in[F(t, 2)] = 1;
+    }
+    for (int ring = 0; ring < rings; ++ring) {
+        const std::vector<char> before = in;
+        for (const MeshEdge& edge : task.topology().edges()) {
+            in[edge.a] |= before[edge.b];
+            in[edge.b] |= before[edge.a];
+        }
+    }
+    std::vector<int> vertices;
+    for (int v = 0; v < static_cast<int>(in.size()); ++v) {
+        if (in[v] && task.free(v)) {
+            vertices.push_back(v);
+        }
+    }
+    return vertices;
+}
+
+/// Per triangle how much of its length is left in the direction of strongest compression: the smaller singular value
+/// of the map from rest to V, in [least_compression, 1].
+std::vector<double> compressions(const Mesh& inner, const std::vector<TriangleElement>& elements, const Positions& V,
+                                 const FoldReport& folds)
+{
+    std::vector<double> left(inner.F.rows());
+    for (int t = 0; t < inner.F.rows(); ++t) {
+        Eigen::Matrix3d X;
+        for (int k = 0; k < 3; ++k) {
+            X.col(k) = V.row(inner.F(t, k));
+        }
+        const Eigen::Matrix<double, 3, 2> J = X * elements[t].gradient.transpose();
+        const Eigen::Matrix2d C = J.transpose() * J;
+        const double half = 0.5 * C.trace(), det = std::max(0.0, C.determinant());
+        const double largest = half + std::sqrt(std::max(0.0, half * half - det));
+        left[t] = std::clamp(largest > 0 ? std::sqrt(det / largest) : 0, least_compression, 1.0);
+    }
+    for (const int t : folds.flipped) {
+        left[t] = least_compression;
+    }
+    return left;
+}
+
+struct Attempt {
+    Eigen::MatrixXd u;
+    Positions V;
+    FoldReport folds;
+    std::vector<double> left;
+
+    double least() const { return left.empty() ? 1 : *std::ranges::min_element(left); }
+    bool better_than(const Attempt& other) const
+    {
+        const size_t mine = folds.flipped.size(), theirs = other.folds.flipped.size();
+        return mine < theirs || (mine == theirs && least() > other.least() * (1 + 1e-9));
+    }
+};
+
+/// Extends, places, and equalises: the linear extension spreads displacement evenly but not compression, which is worst
+/// where the line turns most (the material shears there as well). Each round divides every triangle's stiffness by what
+/// is left of its length, so that the strongly compressed ones pass the compression on.
+Attempt attempt(const RetractionTask& task, const Material& material)
+{
+    const Mesh& inner = task.inner();
+    std::vector<TriangleElement> elements = triangle_elements(inner, material);
+    const std::vector<int> vertices = free_vertices(task);
+    std::optional<Attempt> best;
+    for (int round = 0; round <= equalizing_rounds; ++round) {
+        Attempt next{extend(task, elements), task.start(), {}, {}};
+        place_all(task, next.u, vertices, next.V);
+        next.folds = find_folds(inner, next.V);
+        next.left = compressions(inner, elements, next.V, next.folds);
+        for (size_t t = 0; t < elements.size(); ++t) {
+            elements[t].material /= next.left[t];
+        }
+        if (best && !next.better_than(*best)) {
+            break;
+        }
+        best = std::move(next);
+    }
+    return std::move(*best);
+}
+
+/// Averages the displacement over neighbours, around folded triangles only, until they are open or nothing helps.
+Attempt smoothed(const RetractionTask& task, const Attempt& folded)
+{
+    const std::vector<TriangleElement> elements = triangle_elements(task.inner(), {});
+    Attempt best = folded, current = folded;
+    for (int pass = 0; pass < smoothing_passes && !current.folds.flipped.empty(); ++pass) {
+        const std::vector<int> vertices = patch(task, current.folds.flipped, 2);
+        const Eigen::MatrixXd before = current.u;
+        for (const int v : vertices) {
+            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+            const auto around = task.topology().vertex_edges(v);
+            for (const int e : around) {
+                sum += before.row(task.topology().other_end(e, v));
+            }
+            current.u.row(v) = sum / static_cast<double>(around.size());
+        }
+        place_all(task, current.u, vertices, current.V);
+        current.folds = find_folds(task.inner(), current.V);
+        current.left = compressions(task.inner(), elements, current.V, current.folds);
+        if (current.better_than(best)) {
+            best = current;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+Positions retract_harmonic(const RetractionTask& task, const Material& material)
+{
+    Attempt best = attempt(task, material);
+    // A softer fibre couples neighbours more: it spreads a fold. Isotropic last, being the worst elsewhere (A2).
+    Material softer = material;
+    for (int i = 0; i < 2 && !best.folds.flipped.empty() && softer.stiffness_ratio > 1; ++i) {
+        softer.stiffness_ratio = i == 0 ? std::max(1.0, std::sqrt(softer.stiffness_ratio)) : 1;
+        if (Attempt next = attempt(task, softer); next.better_than(best)) {
+            best = std::move(next);
+        }
+    }
+    if (!best.folds.flipped.empty()) {
+        best = smoothed(task, best);
+    }
+    return best.V;
+}
+
+} // namespace tapeline
