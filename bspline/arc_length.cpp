@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tapeline::spline
-{
+namespace tapeline::spline {
 
 using Speed = std::function<double(double)>;
 

@@ -6,13 +6,11 @@
 #include <functional>
 #include <vector>
 
-namespace tapeline::spline
-{
+namespace tapeline::spline {
 
 /// Arc length of a curve from its speed |C'(t)|, by Gauss–Legendre on pieces that are halved until the rule agrees with
 /// itself on the halves to 1e-13 of the whole length. Built once, read-only afterwards.
-class ArcLengthTable
-{
+class ArcLengthTable {
 public:
     ArcLengthTable() = default;
     /// `breaks`: ascending parameters between which the speed is smooth.

@@ -5,8 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace tapeline::spline
-{
+namespace tapeline::spline {
 
 BezierSpans::BezierSpans(const BSplineData& data)
 {
@@ -41,8 +40,7 @@ const BezierSpan& BezierSpans::span_at(double t) const
     return after == spans_.begin() ? spans_.front() : *(after - 1);
 }
 
-namespace
-{
+namespace {
 
 /// Value and first two derivatives of a polynomial in Bernstein form on [0, 1]; overwrites the coefficients.
 template <class T>
@@ -135,8 +133,7 @@ void BezierSpans::visit_near(const Vec3& p, double bound, const std::function<do
     descend(root_, p, bound, visit);
 }
 
-namespace
-{
+namespace {
 
 double binomial(int n, int k)
 {

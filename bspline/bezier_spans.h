@@ -7,8 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace tapeline::spline
-{
+namespace tapeline::spline {
 
 /// Position and first two derivatives by the curve parameter.
 struct CurveValue {
@@ -29,8 +28,7 @@ struct BezierSpan {
 
 /// A curve cut into its Bézier pieces, with a tree of boxes over them. Feet are the zeros of a polynomial in
 /// Bernstein form on each piece, which isolates all of them with certainty (variation diminishing property).
-class BezierSpans
-{
+class BezierSpans {
 public:
     BezierSpans() = default;
     /// `data` must be clamped.

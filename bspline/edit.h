@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bspline/fit.h"
 #include "bspline/target_line.h"
 #include "kernel/closest_point.h"
 
 #include <vector>
 
-namespace tapeline
-{
-
-struct FitOptions {
-    int control_points = 0; ///< exact number wanted; 0 = as few as the tolerance needs
-    double tolerance_mm =
-        0; ///< largest distance of a point to the curve; 0 = max(0.2 sagitta, 1e-4 length) (method.md H2)
-    int degree = 3;
-};
-struct FitReport {
-    double max_error_mm = 0;
-    int control_points = 0;
-};
-/// Least-squares B-spline through a polyline (the feature line L0), ends interpolated (closed: periodic smooth).
-/// The straightforward order of the points gives the sense of the curve.
-Result<TargetLine> fit_polyline(const std::vector<Vec3>& points, bool closed, const FitOptions& options = {},
-                                FitReport* report = nullptr);
+namespace tapeline {
 
 /// One change of a control point: to a position, or by a vector when `relative`.
 struct ControlPointEdit {

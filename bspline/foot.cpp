@@ -5,11 +5,9 @@
 #include <cmath>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Impl = TargetLine::Impl;
 

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tapeline::spline
-{
+namespace tapeline::spline {
 
 int find_span(const std::vector<double>& knots, int degree, double u)
 {
@@ -100,8 +99,7 @@ std::vector<Eigen::Vector4d> homogeneous(const BSplineData& data)
     return poles;
 }
 
-namespace
-{
+namespace {
 
 /// Clamps the start of a curve given by flat knots and homogeneous poles.
 void clamp_start(std::vector<double>& knots, std::vector<Eigen::Vector4d>& poles, int degree)

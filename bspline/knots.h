@@ -9,8 +9,7 @@
 
 /// Algebra on flat knot vectors (each knot as often as its multiplicity), after Piegl & Tiller, The NURBS Book.
 /// `knots` has (number of poles + degree + 1) entries; the curve lives on [knots[degree], knots[pole count]].
-namespace tapeline::spline
-{
+namespace tapeline::spline {
 
 /// Index k with knots[k] <= u < knots[k + 1] inside the curve's range (the last non-empty span at its end).
 int find_span(const std::vector<double>& knots, int degree, double u);

@@ -12,11 +12,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 tl::unexpected<Error> rejected(std::string message) { return fail(ErrorKind::rejected, std::move(message)); }
 
@@ -182,8 +180,7 @@ double TargetLine::first_parameter() const { return impl_->spans.spans().front()
 double TargetLine::last_parameter() const { return impl_->spans.spans().back().last; }
 bool TargetLine::closed() const { return impl_->data.closed; }
 
-namespace
-{
+namespace {
 
 double inside(const TargetLine& line, double t) { return std::clamp(t, line.first_parameter(), line.last_parameter()); }
 

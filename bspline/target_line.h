@@ -7,8 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Plain data of a B-spline curve; what the JSON target file holds. Knots are given with repetition
 /// (control_points + degree + 1 of them; a closed curve is written clamped, first point = last point).
@@ -21,8 +20,7 @@ struct BSplineData {
 };
 
 /// An exact B-spline target line Lt (OpenCASCADE Geom_BSplineCurve behind a light face). Value type, immutable.
-class TargetLine final : public TargetCurve
-{
+class TargetLine final : public TargetCurve {
 public:
     /// Rejected when the knots, degree, weights and points do not make a curve, or a value is not finite. Knots that
     /// do not repeat at the ends (unclamped, periodic) are clamped without changing the curve.

@@ -7,8 +7,7 @@
 
 #include <Geom_BSplineCurve.hxx>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// What a TargetLine holds; everything is fixed at construction. Only for .cpp files of bspline/ (OpenCASCADE header).
 struct TargetLine::Impl {

@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 
-namespace tapeline::testing
-{
+namespace tapeline::testing {
 
 /// Makes the line, or ends the test with the error's sentence.
 inline TargetLine line_of(const BSplineData& data)

@@ -8,10 +8,8 @@
 #include <numbers>
 #include <random>
 
-namespace tapeline
-{
-namespace
-{
+namespace tapeline {
+namespace {
 
 using testing::circle;
 using testing::data_of_spatial_cubic;
