@@ -11,8 +11,8 @@ namespace tapeline {
 
 struct CreaseReport {
     bool applied = false;
-    double before = 0; ///< length-weighted mean crease angle of L0 on the rest model [deg]
-    double after = 0;  ///< the same along Lt at the end [deg]
+    double before = 0;                  ///< length-weighted mean crease angle of L0 on the rest model [deg]
+    double after = 0;                   ///< the same along Lt at the end [deg]
     double lost_before_restoration = 0; ///< mean absolute change before step 7 [deg]
 };
 
