@@ -11,11 +11,9 @@
 #include <exception>
 #include <fmt/format.h>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Path = std::vector<PathPoint>;
 

@@ -8,11 +8,9 @@
 #include <map>
 #include <optional>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Path = std::vector<PathPoint>;
 

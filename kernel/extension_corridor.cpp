@@ -8,11 +8,9 @@
 #include <numbers>
 #include <queue>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

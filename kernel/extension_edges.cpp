@@ -7,11 +7,9 @@
 #include <limits>
 #include <queue>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// The edge runs between two allowed triangles, so that a cut along it has the region on both sides.
 bool inside(const RouteSpace& space, const MeshEdge& edge)

@@ -7,11 +7,9 @@
 #include <fmt/format.h>
 #include <numbers>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Edges at least this sharp belong to feature lines [deg]; the default of FeatureLineOptions.
 constexpr double feature_angle = 10;

@@ -8,11 +8,9 @@
 #include <fmt/format.h>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 const Vec3 free_target = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 
@@ -60,6 +58,7 @@ struct Arm {
     std::vector<int> vertices;
     Vec3 displacement;
     double slope; ///< of the displacement's size, relative to that size [1/mm]
+    Vec3 target;  ///< of the line's end
 };
 
 Arm arm_of(const ExtendedLine& extended, const Positions& V, const Correspondence& c, bool after, int count)
@@ -71,46 +70,72 @@ Arm arm_of(const ExtendedLine& extended, const Positions& V, const Correspondenc
         arm.vertices.push_back(extended.vertices[k % size]);
     }
     arm.displacement = after ? c.displacements.back() : c.displacements.front();
+    arm.target = after ? c.targets.back() : c.targets.front();
     const Vec3 slope = end_slope(V, c, after ? used - 1 : 0, after ? -1 : 1);
     const double squared = arm.displacement.squaredNorm();
     arm.slope = squared > 0 ? slope.dot(arm.displacement) / squared : 0;
     return arm;
 }
 
-/// Displacements along an arm: the end displacement, turned with the surface normal from vertex to vertex, times the
-/// taper. The last vertex gets zero exactly.
-std::vector<Vec3> tapered(const Mesh& mesh, const std::vector<int>& faces, const Arm& arm)
+/// What is left of a vector given at an arm's start, at each vertex of the arm: turned with the surface normal from
+/// vertex to vertex, times the taper. The last entry is zero exactly.
+std::vector<Vec3> tapered(const Mesh& mesh, const std::vector<Vec3>& normals, const Arm& arm, Vec3 vector)
 {
-    const std::vector<Vec3> normals = normals_at(mesh, faces, arm.vertices);
     std::vector<double> s{0};
     for (size_t i = 1; i < arm.vertices.size(); ++i) {
         s.push_back(s.back() + (mesh.V.row(arm.vertices[i]) - mesh.V.row(arm.vertices[i - 1])).norm());
     }
-    std::vector<Vec3> displacements{arm.displacement};
-    Vec3 turned = arm.displacement;
+    std::vector<Vec3> left{vector};
     for (size_t i = 1; i < arm.vertices.size(); ++i) {
-        turned = Eigen::Quaterniond::FromTwoVectors(normals[i - 1], normals[i]) * turned;
-        displacements.push_back(turned * taper(s[i], s.back(), arm.slope));
+        vector = Eigen::Quaterniond::FromTwoVectors(normals[i - 1], normals[i]) * vector;
+        left.push_back(vector * taper(s[i], s.back(), arm.slope));
     }
-    displacements.back().setZero();
-    return displacements;
+    left.back().setZero();
+    return left;
 }
 
-Result<void> check_room(const Mesh& mesh, const Arm& arm, const std::vector<Vec3>& displacements)
+/// Targets of an arm's vertices. On the surface: the tapered displacement's end is laid on the triangles; what the
+/// line's own end stands off them fades likewise, so that the extension joins the line without a step.
+std::vector<Vec3> arm_targets(const Mesh& mesh, const std::vector<int>& faces, const Arm& arm,
+                              const ClosestPoint* surface)
 {
+    const std::vector<Vec3> normals = normals_at(mesh, faces, arm.vertices);
+    const std::vector<Vec3> displacements = tapered(mesh, normals, arm, arm.displacement);
+    const Vec3 off = surface ? Vec3(arm.target - surface->closest(arm.target).point) : Vec3::Zero();
+    const std::vector<Vec3> offsets = tapered(mesh, normals, arm, off);
+    std::vector<Vec3> targets;
+    for (size_t i = 0; i < arm.vertices.size(); ++i) {
+        const Vec3 at = mesh.V.row(arm.vertices[i]);
+        const bool still = displacements[i].isZero(0);
+        const Vec3 moved = at + displacements[i];
+        targets.push_back(still || !surface ? moved : Vec3(surface->closest(moved).point + offsets[i]));
+    }
+    return targets;
+}
+
+/// The part of the end displacement along the arm must not fold it: s + u_t h(s) has to grow towards the rim.
+Result<void> check_room(const Mesh& mesh, const Arm& arm)
+{
+    double length = 0;
     for (size_t i = 1; i < arm.vertices.size(); ++i) {
-        const Vec3 edge = mesh.V.row(arm.vertices[i]) - mesh.V.row(arm.vertices[i - 1]);
-        if ((edge + displacements[i] - displacements[i - 1]).dot(edge) <= 0) {
-            double length = 0;
-            for (size_t k = 1; k < arm.vertices.size(); ++k) {
-                length += (mesh.V.row(arm.vertices[k]) - mesh.V.row(arm.vertices[k - 1])).norm();
-            }
-            const Vec3 at = mesh.V.row(arm.vertices[0]);
-            return fail(ErrorKind::rejected,
-                        fmt::format("the line's end at ({:.6g}, {:.6g}, {:.6g}) mm moves {:.4g} mm, too far along its "
-                                    "extension, which has {:.4g} mm to the region's rim; enlarge the region",
-                                    at.x(), at.y(), at.z(), arm.displacement.norm(), length));
+        length += (mesh.V.row(arm.vertices[i]) - mesh.V.row(arm.vertices[i - 1])).norm();
+    }
+    const Vec3 at = mesh.V.row(arm.vertices[0]);
+    const Vec3 outwards = (Vec3(mesh.V.row(arm.vertices[1])) - at).normalized();
+    const double along = arm.displacement.dot(outwards);
+    constexpr int samples = 64;
+    double last = along;
+    for (int i = 1; i <= samples; ++i) {
+        const double s = length * i / samples;
+        const double moved = s + along * taper(s, length, arm.slope);
+        if (moved <= last) {
+            return fail(
+                ErrorKind::rejected,
+                fmt::format("the line's end at ({:.6g}, {:.6g}, {:.6g}) mm moves {:.4g} mm along its extension, "
+                            "which has only {:.4g} mm to the region's rim; enlarge the region",
+                            at.x(), at.y(), at.z(), along, length));
         }
+        last = moved;
     }
     return {};
 }
@@ -142,16 +167,16 @@ Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::v
             const int open_count = after ? size - 1 - extended.last : extended.first;
             const int count = extended.closed ? (after ? (beyond + 1) / 2 : beyond + 1 - (beyond + 1) / 2) : open_count;
             const Arm arm = arm_of(extended, rest.mesh.V, c, after, count);
-            const std::vector<Vec3> displacements = tapered(mesh, extended.region.faces, arm);
-            if (auto room = check_room(mesh, arm, displacements); !room) {
+            if (count == 0) {
+                continue;
+            }
+            if (auto room = check_room(mesh, arm); !room) {
                 return room;
             }
+            const std::vector<Vec3> targets =
+                arm_targets(mesh, extended.region.faces, arm, options.on_surface ? &surface : nullptr);
             for (int i = 1; i <= count; ++i) {
-                const int k = (after ? extended.last + i : extended.first - i + size) % size;
-                const Vec3 at = mesh.V.row(arm.vertices[i]);
-                const bool still = displacements[i].isZero(0);
-                const Vec3 target = at + displacements[i];
-                extended.targets[k] = still ? at : (options.on_surface ? surface.closest(target).point : target);
+                extended.targets[(after ? extended.last + i : extended.first - i + size) % size] = targets[i];
             }
         }
     }

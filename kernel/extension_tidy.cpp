@@ -6,17 +6,16 @@
 #include <cmath>
 #include <numbers>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Path = std::vector<PathPoint>;
 
 constexpr double snap_fraction = 0.05;
-constexpr double thin_angle = 8 * std::numbers::pi / 180; ///< cut triangles below this are worth a snap ...
-constexpr double thin_snap_fraction = 0.25;               ///< ... of at most this part of the edge
+constexpr double clearance = 0.15;                        ///< kept from blocked vertices, as a part of the edge
+constexpr double thin_angle = 6 * std::numbers::pi / 180; ///< cut triangles below this are worth a snap ...
+constexpr double thin_snap_fraction = 0.2;                ///< ... of at most this part of the edge
 
 bool same_vertex(const PathPoint& p, const PathPoint& q) { return p.is_vertex() && q.is_vertex() && p.a == q.a; }
 bool same_edge(const PathPoint& p, const PathPoint& q) { return !p.is_vertex() && p.a == q.a && p.b == q.b; }
@@ -121,7 +120,7 @@ bool snap_one(const RouteSpace& space, Path& path)
         double fraction = 0;
         const int end = nearer_end(path[i], fraction);
         if (space.blocked[end]) {
-            path[i].t = std::clamp(path[i].t, snap_fraction, 1 - snap_fraction);
+            path[i].t = std::clamp(path[i].t, clearance, 1 - clearance);
             continue;
         }
         const bool thin =

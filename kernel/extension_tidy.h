@@ -13,7 +13,7 @@ namespace tapeline
 void tidy_path(const RouteSpace& space, std::vector<PathPoint>& path);
 
 /// Moves points that lie within 5 % of an edge's end, or whose cut would leave a thin triangle, to that end; where the
-/// end is blocked, the point keeps 5 % away from it. Leaves the path tidy.
+/// end is blocked, the point keeps 15 % away from it. Leaves the path tidy.
 void snap_path(const RouteSpace& space, std::vector<PathPoint>& path);
 
 } // namespace tapeline
