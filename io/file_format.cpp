@@ -17,7 +17,6 @@ namespace tapeline
 namespace
 {
 
-constexpr std::size_t head_size = 65536;
 constexpr std::string_view blanks = " \t\r\n\v\f";
 
 std::string lower(std::string_view text)
@@ -249,38 +248,39 @@ Result<FileFormat> file_format(const std::filesystem::path& path)
     if (!size) {
         return tl::unexpected(size.error());
     }
-    const auto head = read_file_content(path, head_size);
+    const auto head = read_file_content(path, sniffed_bytes);
     if (!head) {
         return tl::unexpected(head.error());
     }
     return sniff_format(head->view(), *size, path.extension().string());
 }
 
-Result<FileFormat> readable_file_format(const std::filesystem::path& path)
+Result<FileFormat> require_readable(std::string_view name, FileFormat format)
 {
-    auto format = file_format(path);
-    if (!format) {
-        return format;
-    }
-    switch (*format) {
+    switch (format) {
     case FileFormat::empty:
-        return fail(ErrorKind::unreadable, fmt::format("{} is empty: export the model again", path.string()));
+        return fail(ErrorKind::unreadable, fmt::format("{} is empty: export the model again", name));
     case FileFormat::utf16:
+        return fail(ErrorKind::unreadable,
+                    fmt::format("{} is UTF-16 text, which no model format uses: save it as UTF-8 or ASCII", name));
+    case FileFormat::off_binary:
         return fail(
             ErrorKind::unreadable,
-            fmt::format("{} is UTF-16 text, which no model format uses: save it as UTF-8 or ASCII", path.string()));
-    case FileFormat::off_binary:
-        return fail(ErrorKind::unreadable,
-                    fmt::format("{} is a binary OFF file, which is not supported: save it as text OFF or as PLY",
-                                path.string()));
+            fmt::format("{} is a binary OFF file, which is not supported: save it as text OFF or as PLY", name));
     case FileFormat::unknown:
         return fail(ErrorKind::unreadable,
                     fmt::format("{} is none of STEP, IGES, BREP, STL, OBJ, PLY, OFF by its content: check that it is a "
                                 "model file and complete",
-                                path.string()));
+                                name));
     default:
         return format;
     }
+}
+
+Result<FileFormat> readable_file_format(const std::filesystem::path& path)
+{
+    const auto format = file_format(path);
+    return format ? require_readable(path.string(), *format) : format;
 }
 
 bool is_cad_file(const std::filesystem::path& path)

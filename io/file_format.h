@@ -37,15 +37,21 @@ std::string_view format_name(FileFormat format);
 /// True for STEP, IGES and both kinds of BREP.
 bool is_cad_format(FileFormat format);
 
-/// Tells the format from a file's first bytes (64 KiB are plenty), its whole size [bytes] and its name's ending
+/// How many of a file's first bytes `sniff_format` needs.
+inline constexpr std::size_t sniffed_bytes = 65536;
+
+/// Tells the format from a file's first `sniffed_bytes` (or all there are), its whole size [bytes] and its name's ending
 /// (".stl", any case; may be empty). Never fails: `unknown` when nothing fits.
 FileFormat sniff_format(std::string_view head, std::size_t file_size, std::string_view ending = {});
 
 /// Tells the format of the file at `path`. Fails with ErrorKind::unreadable where the file cannot be opened.
 Result<FileFormat> file_format(const std::filesystem::path& path);
 
-/// `file_format`, with one sentence as the failure where no reader exists for what was found: empty, UTF-16,
-/// binary OFF, unknown.
+/// The format itself, or one sentence about the file `name` where no reader exists for it: empty, UTF-16, binary OFF,
+/// unknown.
+Result<FileFormat> require_readable(std::string_view name, FileFormat format);
+
+/// `file_format` and `require_readable` in one.
 Result<FileFormat> readable_file_format(const std::filesystem::path& path);
 
 } // namespace tapeline

@@ -25,12 +25,17 @@ struct ImportReport {
     int vertices = 0, faces = 0;
     int welded_corners = 0;             ///< STL: triangle corners merged into shared vertices
     int triangulated_polygons = 0;
-    int degenerate_faces = 0, duplicate_faces = 0, isolated_vertices = 0; ///< found and removed
+    int degenerate_faces = 0;           ///< fewer than three different corners, or crossing itself: removed
+    int duplicate_faces = 0;            ///< removed
+    int zero_area_faces = 0;            ///< kept, since a hole would be worse; refused where a region touches one
+    int isolated_vertices = 0;          ///< in no triangle; kept, so that vertex indices are those of the file
     int flipped_faces = 0;              ///< turned round to make orientation consistent
-    int non_manifold_edges = 0, non_manifold_vertices = 0; ///< found; split apart so that the mesh is manifold
+    int non_manifold_edges = 0, non_manifold_vertices = 0; ///< found; split apart where that is unambiguous
+    int non_manifold_edges_left = 0;    ///< edges of more than two triangles still there; refused where touched
+    int non_orientable_pieces = 0;      ///< one-sided like a Möbius strip; refused where touched
     int border_edges = 0;
     int cad_faces = 0, cad_edges = 0;
-    int sewn_edges = 0;                 ///< CAD: edges joined by sewing
+    int sewn_edges = 0;                 ///< CAD: edges joined by sewing; meshes: border edges with equal ends joined
     int faces_without_triangles = 0;
     double area_mm2 = 0;                ///< of the triangles
     double exact_area_mm2 = 0;          ///< CAD: of the exact faces
@@ -42,7 +47,7 @@ struct ImportedModel {
     ImportReport report;
 };
 
-/// Reads a model by content (STEP, IGES, BREP, STL, OBJ, PLY, OFF).
+/// Reads a model by content (STEP, IGES, BREP, STL, OBJ, PLY, OFF; io/file_format.h tells which).
 Result<ImportedModel> read_model(const std::filesystem::path& path, const ImportOptions& options = {});
 
 /// True when the file's content is a CAD format (STEP, IGES, BREP).
@@ -50,9 +55,11 @@ bool is_cad_file(const std::filesystem::path& path);
 
 /// The two halves of `read_model`: CAD in io/cad_file.cpp, meshes in io/mesh_file.cpp.
 Result<ImportedModel> read_cad(const std::filesystem::path& path, const ImportOptions& options);
-Result<ImportedModel> read_mesh(const std::filesystem::path& path, const ImportOptions& options);
+/// A mesh is repaired as kernel/repair.h says. Vertex i of OBJ, PLY and OFF files is vertex i of the mesh; STL corners
+/// with equal coordinates are welded, vertices then come in the order of their first corner. Fails with
+/// ErrorKind::unreadable and the line (text) or byte (binary) of the first mistake.
+Result<ImportedModel> read_mesh(const std::filesystem::path& path, const ImportOptions& options = {});
 
-enum class PlyEncoding { ascii, binary_little, binary_big };
 struct ExportOptions {
     bool ascii = false; ///< STL and PLY: text instead of binary
     double units_mm = 1; ///< length of one file unit [mm]
