@@ -8,13 +8,9 @@
 #include <cstring>
 #include <string>
 
-namespace tapeline
-{
+namespace tapeline {
 
-enum class Endian {
-    little,
-    big
-};
+enum class Endian { little, big };
 
 /// The number that starts at `bytes`, stored in the given order; sizeof(T) bytes must be there, any alignment.
 template <class T>

@@ -11,11 +11,9 @@
 #include <fmt/format.h>
 #include <string>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
 

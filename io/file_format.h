@@ -7,8 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// What a model file's content is. Told from the bytes; the name's ending decides only where the bytes leave it open
 /// (OBJ and headerless OFF have no signature, a damaged binary STL looks like anything).

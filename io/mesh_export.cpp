@@ -11,11 +11,9 @@
 #include <fmt/format.h>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 // fmt writes a double as the shortest text that reads back to the same double, in every locale.
 using Text = fmt::memory_buffer;

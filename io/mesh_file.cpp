@@ -16,11 +16,9 @@
 #include <limits>
 #include <new>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Squares and cubes of lengths must stay finite.
 constexpr double largest_coordinate = 1e60;

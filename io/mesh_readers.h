@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Polygons as a mesh file lists them: any number of corners each, points in the file's order and unit.
 struct PolygonSoup {

@@ -12,33 +12,33 @@ namespace tapeline {
 
 /// How to read a model. Values of 0 mean: chosen from the model's size.
 struct ImportOptions {
-    double linear_deflection_mm = 0;    ///< CAD: chord height; 0 = 1e-4 of the bounding diagonal
-    double angular_deflection = 5;      ///< CAD: [deg]
-    double sew_tolerance_mm = 0;        ///< CAD: gap that sewing closes; 0 = 1e-3 mm
-    double units_mm = 1;                ///< mesh files: length of one file unit [mm]
+    double linear_deflection_mm = 0; ///< CAD: chord height; 0 = 1e-4 of the bounding diagonal
+    double angular_deflection = 5;   ///< CAD: [deg]
+    double sew_tolerance_mm = 0;     ///< CAD: gap that sewing closes; 0 = 1e-3 mm
+    double units_mm = 1;             ///< mesh files: length of one file unit [mm]
 };
 
 /// What was found and done while reading; every count is 0 when there was nothing.
 struct ImportReport {
-    std::string format;                 ///< "STEP", "IGES", "BREP", "STL ascii", "STL binary", "OBJ", "PLY ascii", …
-    std::string units;                  ///< unit named in the file, or "mm" as given
+    std::string format; ///< "STEP", "IGES", "BREP", "STL ascii", "STL binary", "OBJ", "PLY ascii", …
+    std::string units;  ///< unit named in the file, or "mm" as given
     int vertices = 0, faces = 0;
-    int welded_corners = 0;             ///< STL: triangle corners merged into shared vertices
+    int welded_corners = 0; ///< STL: triangle corners merged into shared vertices
     int triangulated_polygons = 0;
-    int degenerate_faces = 0;           ///< fewer than three different corners, or crossing itself: removed
-    int duplicate_faces = 0;            ///< removed
-    int zero_area_faces = 0;            ///< kept, since a hole would be worse; refused where a region touches one
-    int isolated_vertices = 0;          ///< in no triangle; kept, so that vertex indices are those of the file
-    int flipped_faces = 0;              ///< turned round to make orientation consistent
+    int degenerate_faces = 0;  ///< fewer than three different corners, or crossing itself: removed
+    int duplicate_faces = 0;   ///< removed
+    int zero_area_faces = 0;   ///< kept, since a hole would be worse; refused where a region touches one
+    int isolated_vertices = 0; ///< in no triangle; kept, so that vertex indices are those of the file
+    int flipped_faces = 0;     ///< turned round to make orientation consistent
     int non_manifold_edges = 0, non_manifold_vertices = 0; ///< found; split apart where that is unambiguous
-    int non_manifold_edges_left = 0;    ///< edges of more than two triangles still there; refused where touched
-    int non_orientable_pieces = 0;      ///< one-sided like a Möbius strip; refused where touched
+    int non_manifold_edges_left = 0; ///< edges of more than two triangles still there; refused where touched
+    int non_orientable_pieces = 0;   ///< one-sided like a Möbius strip; refused where touched
     int border_edges = 0;
     int cad_faces = 0, cad_edges = 0;
-    int sewn_edges = 0;                 ///< CAD: edges joined by sewing; meshes: border edges with equal ends joined
+    int sewn_edges = 0; ///< CAD: edges joined by sewing; meshes: border edges with equal ends joined
     int faces_without_triangles = 0;
-    double area_mm2 = 0;                ///< of the triangles
-    double exact_area_mm2 = 0;          ///< CAD: of the exact faces
+    double area_mm2 = 0;       ///< of the triangles
+    double exact_area_mm2 = 0; ///< CAD: of the exact faces
     std::vector<std::string> warnings;
 };
 
@@ -61,7 +61,7 @@ Result<ImportedModel> read_cad(const std::filesystem::path& path, const ImportOp
 Result<ImportedModel> read_mesh(const std::filesystem::path& path, const ImportOptions& options = {});
 
 struct ExportOptions {
-    bool ascii = false; ///< STL and PLY: text instead of binary
+    bool ascii = false;  ///< STL and PLY: text instead of binary
     double units_mm = 1; ///< length of one file unit [mm]
 };
 /// Writes by the name's ending: .stl .obj .ply (.off). Doubles keep their value in text (shortest round-trip form)

@@ -8,11 +8,9 @@
 #include <fmt/format.h>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// What OBJ may hold beside vertices and faces and what we pass over: normals, texture, grouping, display, points and
 /// polylines.
@@ -23,8 +21,7 @@ constexpr std::array<std::string_view, 22> passed_over{
 constexpr std::array<std::string_view, 16> free_form{"vp",   "curv", "curv2", "surf", "bmat", "step", "parm", "trim",
                                                      "hole", "scrv", "sp",    "end",  "con",  "bzp",  "bsp",  "res"};
 
-class ObjReader
-{
+class ObjReader {
 public:
     ObjReader(std::string_view content, ImportReport& report) : scanner_(content), report_(report) {}
 

@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Takes the keyword off the first line and refuses the variants whose points are not x y z.
 void read_keyword(TextScanner& scanner, std::string_view& line)

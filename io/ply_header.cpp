@@ -8,11 +8,9 @@
 #include <fmt/format.h>
 #include <utility>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 PlyType type_named(const TextScanner& scanner, std::string_view name)
 {

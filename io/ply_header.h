@@ -7,19 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
-enum class PlyType {
-    int8,
-    uint8,
-    int16,
-    uint16,
-    int32,
-    uint32,
-    float32,
-    float64
-};
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 /// Bytes of one value in a binary file.
 std::size_t size_of(PlyType type);
@@ -41,11 +31,7 @@ struct PlyElement {
     int find(std::string_view property) const;
 };
 
-enum class PlyFormat {
-    ascii,
-    little,
-    big
-};
+enum class PlyFormat { ascii, little, big };
 
 struct PlyHeader {
     PlyFormat format = PlyFormat::ascii;

@@ -8,15 +8,12 @@
 #include <fmt/format.h>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// The data of an ASCII file: one line for each row of an element.
-class TextRows
-{
+class TextRows {
 public:
     explicit TextRows(std::string_view content, std::size_t start) : scanner_(content, start) {}
 
@@ -55,8 +52,7 @@ private:
 };
 
 /// The data of a binary file.
-class BinaryRows
-{
+class BinaryRows {
 public:
     BinaryRows(std::string_view content, std::size_t start, Endian order) : content_(content), at_(start), order_(order)
     {

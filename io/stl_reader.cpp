@@ -8,11 +8,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 bool is_keyword(std::string_view word, std::string_view keyword)
 {
@@ -20,8 +18,7 @@ bool is_keyword(std::string_view word, std::string_view keyword)
 }
 
 /// Reads the words of an ASCII STL one after the other, wherever its lines break.
-class StlWords
-{
+class StlWords {
 public:
     explicit StlWords(std::string_view content) : scanner_(content) {}
 

@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// What the mesh readers throw among themselves; `read_mesh` turns it into one sentence with the file and the place.
 struct ParseError {
@@ -30,8 +29,7 @@ std::string_view take_word(std::string_view& line);
 
 /// Walks through a text file line by line and gives numbers, with the place of every failure. Locale independent.
 /// All members throw ParseError.
-class TextScanner
-{
+class TextScanner {
 public:
     /// Starts at byte `start`, the first of a line.
     explicit TextScanner(std::string_view text, std::size_t start = 0) : text_(text), start_(start), next_(start) {}

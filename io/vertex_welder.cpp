@@ -6,11 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Finaliser of MurmurHash3: every input bit changes every output bit with probability near one half.
 std::uint64_t mix(std::uint64_t h)

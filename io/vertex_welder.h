@@ -6,13 +6,11 @@
 #include <cstddef>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Gives equal points one index, in the order of their first appearance. Equal means the same three doubles; -0 and
 /// +0 are the same. Open addressing on one flat table; linear time.
-class VertexWelder
-{
+class VertexWelder {
 public:
     /// Index of the point, new or known. Coordinates must be finite; throws std::length_error beyond 2^31 - 1 points.
     int index_of(const Vec3& point);

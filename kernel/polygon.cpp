@@ -11,19 +11,13 @@
 #include <exception>
 #include <map>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Corners = std::array<int, 3>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-enum class Place {
-    unknown,
-    inside,
-    outside
-};
+enum class Place { unknown, inside, outside };
 using Vertices = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Faces =
     CGAL::Triangulation_face_base_with_info_2<Place, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
@@ -85,8 +79,7 @@ std::optional<std::vector<Corners>> split_quad(std::span<const Vec3> points, con
 }
 
 /// One polygon's constrained triangulation in its plane.
-class PlanePolygon
-{
+class PlanePolygon {
 public:
     PlanePolygon(std::span<const Vec3> points, const std::vector<int>& polygon, const Vec3& normal)
         : points_(points), polygon_(polygon)

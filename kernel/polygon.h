@@ -8,8 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Splits one polygon into triangles over its own corners, without new points, turning the same way.
 ///

@@ -8,11 +8,9 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Takes the marked triangles out of mesh.F and source_face; returns how many.
 int remove_faces(RepairedMesh& work, const std::vector<char>& marked)

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// How near border vertices must be to be the same place, as a fraction of the median over them of their largest
 /// coordinate: a few steps of float32, which STL cannot tell apart for sure.

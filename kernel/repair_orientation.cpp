@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 struct Component {
     std::vector<int> faces; ///< in the order met

@@ -10,15 +10,12 @@
 #include <numeric>
 #include <utility>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Disjoint sets of vertices, each known by its lowest member.
-class VertexSets
-{
+class VertexSets {
 public:
     explicit VertexSets(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
     int root(int v)
@@ -41,8 +38,7 @@ private:
 };
 
 /// Finds vertices that lie within a distance of each other, by a grid with cells of four times that distance.
-class NearVertices
-{
+class NearVertices {
 public:
     NearVertices(const Positions& V, const std::vector<int>& vertices, double distance)
         : V_(V), distance_(distance), cell_(4 * distance)

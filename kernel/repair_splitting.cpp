@@ -5,15 +5,12 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Which corners of triangles stay together at their vertex: a forest over 3·faces corners.
-class CornerForest
-{
+class CornerForest {
 public:
     explicit CornerForest(int faces) : parent_(3 * static_cast<std::size_t>(faces))
     {

@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// A triangle at an edge. `forward`: it runs from the edge's lower to its higher vertex.
 struct EdgeSide {
@@ -17,8 +16,7 @@ struct EdgeSide {
 };
 
 /// `Topology` with all triangles of every edge, in ascending order, also where there are more than two.
-class EdgeSides
-{
+class EdgeSides {
 public:
     EdgeSides(const Triangles& F, int vertex_count);
 

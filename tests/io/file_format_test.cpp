@@ -8,8 +8,7 @@
 
 using namespace tapeline;
 
-namespace
-{
+namespace {
 
 std::string binary_stl(unsigned count, std::string header = {})
 {

@@ -10,8 +10,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 const std::string ply_vertex = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string ply_face = "element face 1\nproperty list uchar int vertex_indices\n";

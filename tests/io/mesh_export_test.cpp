@@ -12,8 +12,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 /// A panel whose coordinates use all bits of a double, over many orders of magnitude.
 Mesh awkward_numbers()

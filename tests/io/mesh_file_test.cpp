@@ -10,8 +10,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 ImportedModel read(std::string_view name, std::string_view content, const ImportOptions& options = {})
 {

@@ -7,8 +7,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 std::vector<std::filesystem::path> nasty_meshes()
 {
@@ -24,9 +23,7 @@ std::vector<std::filesystem::path> nasty_meshes()
     return files;
 }
 
-class NastyMesh : public ::testing::TestWithParam<std::filesystem::path>
-{
-};
+class NastyMesh : public ::testing::TestWithParam<std::filesystem::path> {};
 
 } // namespace
 

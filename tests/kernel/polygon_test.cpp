@@ -10,8 +10,7 @@
 
 using namespace tapeline;
 
-namespace
-{
+namespace {
 
 using Triangle = std::array<int, 3>;
 

@@ -11,8 +11,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 Mesh mesh_of(std::vector<Vec3> points, std::vector<std::array<int, 3>> triangles)
 {

@@ -6,8 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace tapeline::testing
-{
+namespace tapeline::testing {
 
 TemporaryFolder::TemporaryFolder()
 {

@@ -6,12 +6,10 @@
 #include <string>
 #include <string_view>
 
-namespace tapeline::testing
-{
+namespace tapeline::testing {
 
 /// A folder of one's own that goes away with its contents.
-class TemporaryFolder
-{
+class TemporaryFolder {
 public:
     TemporaryFolder();
     ~TemporaryFolder();
