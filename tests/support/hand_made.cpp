@@ -5,8 +5,7 @@
 #include <numeric>
 #include <set>
 
-namespace tapeline::testing
-{
+namespace tapeline::testing {
 
 Region hand_made_region(const Mesh& mesh, const std::vector<int>& faces)
 {

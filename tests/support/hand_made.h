@@ -8,8 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace tapeline::testing
-{
+namespace tapeline::testing {
 
 /// The region of the given triangles with its border as rim, made without the library's own region code.
 Region hand_made_region(const Mesh& mesh, const std::vector<int>& faces);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/moves.h"
 
+#include <Eigen/Geometry>
 #include <numeric>
 #include <stdexcept>
 
@@ -45,6 +46,41 @@ ExtendedLine already_extended(const Model& model, const Correspondence& correspo
     extended.last = static_cast<int>(extended.vertices.size()) - 1;
     extended.targets = correspondence.targets;
     return extended;
+}
+
+MeasuredMove move_and_measure(const Model& model, const std::vector<int>& line, const TargetCurve& target,
+                              const MoveOptions& options)
+{
+    auto moved = move_feature_line(model, line_of(model, line), target, whole_model(model), options);
+    if (!moved) {
+        throw std::runtime_error(moved.error().message);
+    }
+    const bool left = moved->placement.compressed == LineSide::left;
+    QualityInput input{moved->rest.mesh,
+                       moved->V,
+                       moved->correspondence.line.vertices,
+                       moved->correspondence.line.closed,
+                       left ? moved->left_faces : moved->right_faces,
+                       left ? moved->right_faces : moved->left_faces,
+                       &target,
+                       9};
+    auto quality = measure_quality(input);
+    if (!quality) {
+        throw std::runtime_error(quality.error().message);
+    }
+    return {std::move(*moved), *quality};
+}
+
+RigidMotion some_rigid_motion()
+{
+    return {Eigen::AngleAxisd(1.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix(), Vec3(1300, -250, 700)};
+}
+
+ParametricCurve mapped(const ParametricCurve& curve, const RigidMotion& motion, double scale)
+{
+    return {[=](double t) -> Vec3 { return scale * (motion.R * curve.point(t)) + motion.shift; },
+            [=](double t) -> Vec3 { return scale * (motion.R * curve.derivative(t)); }, curve.first_parameter(),
+            curve.last_parameter(), curve.closed()};
 }
 
 } // namespace tapeline::testing

@@ -3,6 +3,8 @@
 
 #include "kernel/extension.h"
 #include "kernel/feature_lines.h"
+#include "kernel/move.h"
+#include "kernel/quality.h"
 #include "kernel/region.h"
 #include "tests/support/shapes.h"
 
@@ -21,5 +23,26 @@ Correspondence sends(const Model& model, const FeatureLine& line, const std::vec
 
 /// An extended line that needs no extension: the listed vertices already run from rim to rim.
 ExtendedLine already_extended(const Model& model, const Correspondence& correspondence);
+
+/// A move of the whole model's line, and its measures.
+struct MeasuredMove {
+    MoveResult move;
+    QualityReport quality;
+};
+/// Moves `line` with everything inside the model's open border as region, and measures the result. Throws with the
+/// error's sentence when the move fails.
+MeasuredMove move_and_measure(const Model& model, const std::vector<int>& line, const TargetCurve& target,
+                              const MoveOptions& options = {});
+
+/// A rigid motion: rotation about a skew axis and a shift, in that order.
+struct RigidMotion {
+    Eigen::Matrix3d R;
+    Vec3 shift;
+    Vec3 operator()(const Vec3& p) const { return R * p + shift; }
+};
+RigidMotion some_rigid_motion();
+
+/// The curve mapped by p -> scale R p + shift.
+ParametricCurve mapped(const ParametricCurve& curve, const RigidMotion& motion, double scale = 1);
 
 } // namespace tapeline::testing

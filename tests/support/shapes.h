@@ -11,7 +11,7 @@ namespace tapeline::testing {
 
 enum class Diagonals {
     alternating, ///< regular, mirror-symmetric about x = 0 and y = 0 for even cell counts
-    random       ///< irregular: vertices off the crease jittered inside their cell, diagonals by a fixed random sequence
+    random ///< irregular: vertices off the crease jittered inside their cell, diagonals by a fixed random sequence
 };
 
 /// A height field z(x, y) over [x0, x1] × [y0, y1] with nx × ny cells; vertex (i, j) has index j * (nx + 1) + i.
@@ -39,6 +39,7 @@ public:
     bool closed() const override { return closed_; }
     Vec3 point(double parameter) const override { return point_(parameter); }
     Vec3 tangent(double parameter) const override { return derivative_(parameter).normalized(); }
+    Vec3 derivative(double parameter) const { return derivative_(parameter); }
     double arc_length(double parameter) const override;
     double parameter_at(double arc_length) const override;
     CurveFoot foot(const Vec3& p) const override;
