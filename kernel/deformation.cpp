@@ -100,7 +100,7 @@ Result<DeformationResult> deform(const Mesh& rest, const std::vector<int>& const
     if (!system) {
         return tl::unexpected(system.error());
     }
-    const double tolerance = options.tolerance_mm > 0 ? options.tolerance_mm : 1e-5 * bounding_diagonal(rest.V);
+    const double tolerance = options.tolerance_mm > 0 ? options.tolerance_mm : 1e-5 * rotation_free_size(rest.V);
 
     DeformationResult result;
     Positions from = rest.V;

@@ -13,7 +13,7 @@ namespace tapeline {
 
 struct DeformationOptions {
     Material material;
-    double tolerance_mm = 0; ///< wanted largest vertex error [mm]; 0 = 1e-5 of the mesh's bounding diagonal
+    double tolerance_mm = 0; ///< wanted largest vertex error [mm]; 0 = 1e-5 of the mesh's size
     int max_iterations = 2000;
     int anderson_window = 5; ///< differences kept for Anderson acceleration; 0 = plain local/global
     int load_steps = 1;      ///< the displacement is applied in this many equal steps from the rest shape

@@ -51,6 +51,11 @@ double bounding_diagonal(const Positions& V)
     return V.rows() == 0 ? 0 : (V.colwise().maxCoeff() - V.colwise().minCoeff()).norm();
 }
 
+double rotation_free_size(const Positions& V)
+{
+    return V.rows() == 0 ? 0 : 2 * (V.rowwise() - V.colwise().mean()).rowwise().norm().maxCoeff();
+}
+
 Positions vertex_normals(const Mesh& mesh)
 {
     Positions N = Positions::Zero(mesh.V.rows(), 3);

@@ -50,6 +50,9 @@ double triangle_min_angle(const Mesh& mesh, int t);
 /// Length of the bounding box's diagonal over all vertices [mm]; 0 for an empty mesh.
 double bounding_diagonal(const Positions& V);
 
+/// Twice the largest distance of a vertex from the vertices' mean [mm]: a size that a rotation does not change.
+double rotation_free_size(const Positions& V);
+
 /// Area-weighted unit vertex normals, n×3; zero rows for isolated vertices.
 Positions vertex_normals(const Mesh& mesh);
 

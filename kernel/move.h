@@ -38,7 +38,7 @@ struct MoveOptions {
     std::optional<LineSide> compressed_side;         ///< overrules the signed rule
     CreaseRestoration crease = CreaseRestoration::automatic;
     double crease_loss = 0.5; ///< `automatic` restores where the mean crease angle fell below this share of L0's
-    double tolerance_mm = 0;  ///< solver's wanted error; 0 = 1e-5 of the region's diagonal
+    double tolerance_mm = 0;  ///< solver's wanted error; 0 = 1e-5 of the region's size
     int max_iterations = 2000;
     int clamp_rings = 1;
 };

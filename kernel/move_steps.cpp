@@ -218,7 +218,7 @@ DeformationOptions MoveState::solver_options(const Material& material) const
         for (size_t i = 0; i < extended_.region.vertices.size(); ++i) {
             corners.row(static_cast<Eigen::Index>(i)) = extended_.model.mesh.V.row(extended_.region.vertices[i]);
         }
-        options.tolerance_mm = 1e-5 * bounding_diagonal(corners);
+        options.tolerance_mm = 1e-5 * rotation_free_size(corners);
     }
     return options;
 }
