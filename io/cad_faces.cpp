@@ -18,8 +18,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace tapeline
-{
+namespace tapeline {
 
 struct CadFaces::Index {
     TopTools_IndexedMapOfShape edges;
@@ -32,8 +31,7 @@ CadFaces::~CadFaces() = default;
 
 int CadFaces::edge_number(const TopoDS_Edge& edge) const { return index->edges.FindIndex(edge) - 1; }
 
-namespace
-{
+namespace {
 
 void number_edges(CadFaces& faces)
 {
@@ -97,43 +95,69 @@ std::vector<int> open_parts(const CadFaces& faces)
     return list;
 }
 
-void sew(CadFaces& faces, double tolerance_mm)
+/// One pass of sewing; without effect on `faces` when nothing was joined. Returns the number of joined pairs of edges.
+int sew(CadFaces& faces, double tolerance_mm, bool may_drop_faces)
 {
     const std::vector<int> open = open_parts(faces);
     if (open.empty()) {
-        return;
+        return 0;
     }
     BRepBuilderAPI_Sewing sewing(tolerance_mm);
     for (const int f : open) {
         sewing.Add(faces.faces[f]);
     }
     sewing.Perform();
+    const int joined = sewing.NbContigousEdges();
+    if (joined == 0) {
+        return 0;
+    }
     TopTools_IndexedMapOfShape sewn;
     TopExp::MapShapes(sewing.SewedShape(), TopAbs_FACE, sewn);
-    std::vector<char> dropped(faces.faces.size(), 0);
+    std::vector<TopoDS_Face> renewed = faces.faces;
+    std::vector<char> dropped(renewed.size(), 0);
     for (const int f : open) {
         const TopoDS_Shape image =
-            sewing.IsModified(faces.faces[f]) ? sewing.Modified(faces.faces[f]) : TopoDS_Shape(faces.faces[f]);
-        const int found = sewn.FindIndex(image);
-        dropped[f] = found == 0 || image.ShapeType() != TopAbs_FACE;
-        if (!dropped[f]) {
-            faces.faces[f] = TopoDS::Face(sewn(found));
+            sewing.IsModified(renewed[f]) ? sewing.Modified(renewed[f]) : TopoDS_Shape(renewed[f]);
+        const int found = image.ShapeType() == TopAbs_FACE ? sewn.FindIndex(image) : 0;
+        dropped[f] = found == 0;
+        if (found > 0) {
+            renewed[f] = TopoDS::Face(sewn(found));
         }
     }
-    std::vector<TopoDS_Face> kept;
+    if (!may_drop_faces && std::ranges::count(dropped, 1) > 0) {
+        return 0;
+    }
     std::vector<int> solid;
-    for (size_t f = 0; f < faces.faces.size(); ++f) {
+    faces.faces.clear();
+    for (size_t f = 0; f < renewed.size(); ++f) {
         if (dropped[f]) {
             ++faces.dropped_faces;
         } else {
-            kept.push_back(faces.faces[f]);
+            faces.faces.push_back(renewed[f]);
             solid.push_back(faces.solid[f]);
         }
     }
-    faces.faces = std::move(kept);
     faces.solid = std::move(solid);
-    faces.sewn_edges = sewing.NbContigousEdges();
+    faces.sewn_edges += joined;
     number_edges(faces);
+    return joined;
+}
+
+/// Sews with a small tolerance first and a wider one only for what stays open, so that gaps are closed and details kept.
+void sew_by_size(CadFaces& faces, const TopoDS_Shape& shape)
+{
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, false);
+    const double widest = box.IsVoid() ? 1e-3 : 1e-5 * std::sqrt(box.SquareExtent());
+    double tolerance = std::min(1e-3, widest);
+    faces.sew_tolerance_mm = tolerance;
+    sew(faces, tolerance, true);
+    while (tolerance < widest) {
+        tolerance = std::min(10 * tolerance, widest);
+        if (sew(faces, tolerance, false) > 0) {
+            faces.sew_tolerance_mm = tolerance;
+        }
+    }
 }
 
 } // namespace
@@ -158,12 +182,12 @@ Result<CadFaces> collect_faces(const TopoDS_Shape& shape, double tolerance_mm)
         result.solid = std::move(solid_of);
         BRepLib::BuildCurves3d(shape);
         number_edges(result);
-        if (tolerance_mm == 0) {
-            Bnd_Box box;
-            BRepBndLib::Add(shape, box, false);
-            tolerance_mm = box.IsVoid() ? 1e-3 : std::min(1e-3, 1e-5 * std::sqrt(box.SquareExtent()));
+        if (tolerance_mm > 0) {
+            result.sew_tolerance_mm = tolerance_mm;
+            sew(result, tolerance_mm, true);
+        } else {
+            sew_by_size(result, shape);
         }
-        sew(result, tolerance_mm);
         return result;
     } catch (const Standard_Failure& failure) {
         return fail(ErrorKind::rejected, fmt::format("the faces cannot be sewn: OpenCASCADE reports {} {}",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/cad_shape.h"
+#include "io/cap_flip.h"
 #include "io/exact_surface.h"
 #include "io/face_weld.h"
 #include "io/file_format.h"
@@ -15,11 +16,9 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 constexpr int max_triangles = 20'000'000;
 
@@ -103,6 +102,9 @@ void warn_of_findings(const WeldedFaces& welded, const RepairCounts& counts, con
             fmt::format("{} CAD faces have no triangles: {}; heal or delete them in the CAD program",
                         welded.unmeshed.size(), listing(welded.unmeshed)));
     }
+    if (faces.sew_tolerance_mm > 1.001e-3) {
+        report.warnings.push_back(fmt::format("CAD edges up to {:.3g} mm apart were sewn", faces.sew_tolerance_mm));
+    }
     warn(faces.dropped_faces, "CAD faces smaller than the sewing tolerance were left out");
     warn(welded.unmatched_edges, "CAD edges are subdivided differently by their two faces and were left open");
     warn(counts.degenerate_faces, "triangles without three different corners were removed");
@@ -136,6 +138,7 @@ Result<ImportedModel> import_faces(const std::string& path, CadFaces& faces, con
     }
     ImportedModel result{std::move(welded.model), std::move(report)};
     const RepairCounts counts = repair_model(result.model);
+    const int caps = flip_caps(result.model);
     std::vector<int> solid;
     for (const int f : result.model.cad_face) {
         solid.push_back(faces.solid[f]);
@@ -157,6 +160,9 @@ Result<ImportedModel> import_faces(const std::string& path, CadFaces& faces, con
     out.faces_without_triangles = static_cast<int>(welded.unmeshed.size());
     check_areas(result.model, faces, out);
     warn_of_findings(welded, counts, faces, out);
+    if (caps > 0) {
+        out.warnings.push_back(fmt::format("{} triangles without area were merged into their neighbours", caps));
+    }
     result.model.surface = std::make_shared<ExactSurface>(faces, result.model);
     return result;
 }

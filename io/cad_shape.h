@@ -13,8 +13,7 @@ class TopoDS_Edge;
 class TopoDS_Face;
 class TopoDS_Shape;
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// A CAD file in memory, lengths in mm.
 struct CadShape {
@@ -35,6 +34,7 @@ struct CadFaces {
     std::vector<int> solid;         ///< per face the number of its solid, -1 = loose face or open shell
     std::vector<TopoDS_Edge> edges; ///< degenerated edges included
     int sewn_edges = 0;             ///< pairs of edges that became one
+    double sew_tolerance_mm = 0;    ///< the widest tolerance that joined something
     int dropped_faces = 0;          ///< faces smaller than the sewing tolerance
 
     CadFaces();
@@ -50,7 +50,8 @@ struct CadFaces {
 };
 
 /// Collects faces and edges, and sews: faces with edges that no neighbour shares are joined where the edges lie within
-/// `tolerance_mm` (0 = 1e-3 mm, on models under 100 mm 1e-5 of the diagonal). Parts that are closed already are left alone, so touching parts of an assembly stay apart.
+/// `tolerance_mm`. 0 = 1e-3 mm, then, while edges stay free, ten times wider again and again up to 1e-5 of the
+/// model's diagonal. Parts that are closed already are left alone, so touching parts of an assembly stay apart.
 Result<CadFaces> collect_faces(const TopoDS_Shape& shape, double tolerance_mm);
 
 } // namespace tapeline

@@ -6,11 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace tapeline::models
-{
+namespace tapeline::models {
 
-namespace
-{
+namespace {
 
 constexpr double length = 1400, half_width = 600; // [mm]
 constexpr double fade_start = 250, fade_end = 1250;

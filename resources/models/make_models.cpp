@@ -21,6 +21,9 @@ int main(int argc, char** argv)
     try {
         std::filesystem::create_directories(folder);
         write_step(folder / "hood.step", hood(), "hood");
+        write_step(folder / "wheel_arch.step", wheel_arch(), "wheel_arch");
+        write_step(folder / "pawn.step", pawn(), "pawn");
+        write_step(folder / "bracket.step", bracket(), "bracket");
         write_step(folder / "panel.step", panel(), "panel");
     } catch (const Standard_Failure& failure) {
         std::fprintf(stderr, "make_models: %s\n", failure.GetMessageString());

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tapeline::models
-{
+namespace tapeline::models {
 
 TopoDS_Shape panel()
 {

@@ -13,11 +13,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace tapeline::models
-{
+namespace tapeline::models {
 
-namespace
-{
+namespace {
 
 /// Knots of one direction with repetition, and the parameters at which to interpolate.
 struct Basis {

@@ -9,11 +9,9 @@
 #include <TCollection_HAsciiString.hxx>
 #include <stdexcept>
 
-namespace tapeline::models
-{
+namespace tapeline::models {
 
-namespace
-{
+namespace {
 
 Handle(TCollection_HAsciiString) text(const char* characters) { return new TCollection_HAsciiString(characters); }
 
