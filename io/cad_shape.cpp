@@ -62,8 +62,8 @@ std::string external_files(std::string_view content)
 
 Result<TopoDS_Shape> read_step(const std::string& path, std::string_view content, CadShape& result)
 {
-    Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     STEPControl_Reader reader;
+    Interface_Static::SetCVal("xstep.cascade.unit", "MM"); // a host program may have set another one
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
         return fail(ErrorKind::unreadable,
                     fmt::format("{} is not valid STEP: its syntax cannot be parsed; export the file again", path));

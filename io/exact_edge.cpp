@@ -11,11 +11,9 @@
 #include <gp_Vec.hxx>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
@@ -25,7 +23,54 @@ struct ExactEdge::Impl {
     Handle(Geom_Curve) curve; ///< null for a degenerated edge, which is one point
     std::vector<double> parameters;
     std::vector<Vec3> points;
+    bool closed = false; ///< periodic: parameters beyond an end come in again at the other one
 };
+
+namespace {
+
+/// Newton steps on the squared distance from a start near the foot; the start's own point where they lead away.
+Vec3 refined(const ExactEdge::Impl& edge, const Vec3& p, double t)
+{
+    const double first = edge.parameters.front(), last = edge.parameters.back();
+    const double period = edge.closed ? last - first : 0;
+    const auto gap_at = [&](double at) -> Vec3 { return vec(edge.curve->Value(at).XYZ()) - p; };
+    gp_Pnt c;
+    gp_Vec d1, d2;
+    Vec3 gap = gap_at(t);
+    for (int i = 0; i < 50; ++i) {
+        edge.curve->D2(t, c, d1, d2);
+        const double slope = gap.dot(vec(d1.XYZ())), speed = d1.SquareMagnitude();
+        const double bend = speed + gap.dot(vec(d2.XYZ()));
+        if (!(speed > 0)) {
+            break;
+        }
+        double step = -slope / (bend > 1e-9 * speed ? bend : speed);
+        double next = t;
+        Vec3 next_gap = gap;
+        for (int halving = 0; halving < 30; ++halving, step /= 2) {
+            next = t + step;
+            next = period > 0 ? first + std::fmod(std::fmod(next - first, period) + period, period)
+                              : std::clamp(next, first, last);
+            next_gap = gap_at(next);
+            // Squared distances stop telling steps apart at the square root of rounding: equal ones are taken on trust.
+            if (next_gap.squaredNorm() <= gap.squaredNorm() * (1 + 1e-13)) {
+                break;
+            }
+        }
+        if (!(next_gap.squaredNorm() <= gap.squaredNorm() * (1 + 1e-13))) {
+            break;
+        }
+        const double moved = (next_gap - gap).norm();
+        t = next;
+        gap = next_gap;
+        if (moved <= 1e-14 * (p.norm() + gap.norm())) {
+            break;
+        }
+    }
+    return gap + p;
+}
+
+} // namespace
 
 ExactEdge::ExactEdge(const TopoDS_Edge& edge, std::vector<double> parameters)
 {
@@ -51,6 +96,7 @@ ExactEdge::ExactEdge(const TopoDS_Edge& edge, std::vector<double> parameters)
             impl.points.push_back(vec(impl.curve->Value(t).XYZ()));
         }
         impl.parameters = std::move(parameters);
+        impl.closed = impl.curve->IsPeriodic() && std::abs(last - first - impl.curve->Period()) < 1e-9 * (last - first);
     }
     impl_ = std::make_unique<const Impl>(std::move(impl));
 }
@@ -68,7 +114,6 @@ std::optional<Vec3> ExactEdge::closest(const Vec3& p) const
         return points.front();
     }
     double best = std::numeric_limits<double>::infinity(), t = 0;
-    size_t span = 0;
     for (size_t i = 0; i + 1 < points.size(); ++i) {
         const Vec3 along = points[i + 1] - points[i];
         const double square = along.squaredNorm();
@@ -76,34 +121,10 @@ std::optional<Vec3> ExactEdge::closest(const Vec3& p) const
         const double distance = (points[i] + s * along - p).squaredNorm();
         if (distance < best) {
             best = distance;
-            span = i;
             t = impl_->parameters[i] + s * (impl_->parameters[i + 1] - impl_->parameters[i]);
         }
     }
-    // The foot lies in this span or, by the chord's error, in a neighbour.
-    const double low = impl_->parameters[span == 0 ? 0 : span - 1];
-    const double high = impl_->parameters[std::min(span + 2, points.size() - 1)];
-    gp_Pnt c;
-    gp_Vec d1, d2;
-    double at = t, distance = std::numeric_limits<double>::infinity();
-    Vec3 result = points[span];
-    for (int i = 0; i < 30; ++i) {
-        impl_->curve->D2(at, c, d1, d2);
-        const Vec3 gap = vec(c.XYZ()) - p;
-        if (!(gap.squaredNorm() < distance)) {
-            break;
-        }
-        distance = gap.squaredNorm();
-        result = vec(c.XYZ());
-        const double slope = gap.dot(vec(d1.XYZ())), speed = d1.SquareMagnitude();
-        double bend = speed + gap.dot(vec(d2.XYZ()));
-        bend = bend > 0.1 * speed ? bend : speed;
-        if (!(speed > 0)) {
-            break;
-        }
-        at = std::clamp(at - slope / bend, low, high);
-    }
-    return result;
+    return refined(*impl_, p, t);
 }
 
 } // namespace tapeline

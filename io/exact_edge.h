@@ -9,12 +9,10 @@
 
 class TopoDS_Edge;
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// One CAD edge as an exact curve, for closest points. Immutable, safe from several threads.
-class ExactEdge
-{
+class ExactEdge {
 public:
     /// `parameters`: ascending curve parameters, close enough together that the polygon through them is near the curve
     /// (from the tessellation); empty = evenly spaced.
@@ -25,8 +23,9 @@ public:
     /// Closest point of the edge, its ends included; empty for an edge without any geometry.
     std::optional<Vec3> closest(const Vec3& p) const;
 
-private:
     struct Impl;
+
+private:
     std::unique_ptr<const Impl> impl_;
 };
 

@@ -15,19 +15,21 @@
 #include <Poly_Triangulation.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_HArray1OfReal.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Vec2 = Eigen::Vector2d;
 
@@ -46,29 +48,66 @@ struct Face {
     double sign = 1; ///< of the outward normal against dS/du × dS/dv
 };
 
+/// One end of an edge's uv polygon.
+struct PolygonEnd {
+    int vertex;
+    Vec2 uv;
+};
+
+/// Segments that join the ends of polygons at the same CAD vertex, nearest ends first, so that the polygons close
+/// without the small gaps that parameter curves leave at vertices.
+void close_polygons(std::vector<PolygonEnd> ends, std::vector<UvDomain::Segment>& segments)
+{
+    std::ranges::stable_sort(ends, {}, &PolygonEnd::vertex);
+    for (size_t first = 0; first < ends.size();) {
+        size_t last = first;
+        std::vector<std::tuple<double, size_t, size_t>> pairs;
+        for (; last < ends.size() && ends[last].vertex == ends[first].vertex; ++last) {
+            for (size_t k = first; k < last; ++k) {
+                pairs.emplace_back((ends[last].uv - ends[k].uv).norm(), k, last);
+            }
+        }
+        std::ranges::sort(pairs);
+        std::vector<char> taken(last - first, 0);
+        for (const auto& [distance, a, b] : pairs) {
+            if (!taken[a - first] && !taken[b - first]) {
+                taken[a - first] = taken[b - first] = 1;
+                segments.push_back({ends[a].uv, ends[b].uv});
+            }
+        }
+        first = last;
+    }
+}
+
 /// The uv polygons of the face's border, finer than the tessellation's.
 std::vector<UvDomain::Segment> border_polygons(const TopoDS_Face& face,
                                                const Handle(Poly_Triangulation) & triangulation,
                                                const TopLoc_Location& location)
 {
     std::vector<UvDomain::Segment> segments;
+    std::vector<PolygonEnd> ends;
+    TopTools_IndexedMapOfShape vertices;
     for (TopExp_Explorer explorer(face, TopAbs_EDGE); explorer.More(); explorer.Next()) {
         const TopoDS_Edge& edge = TopoDS::Edge(explorer.Current());
         double first = 0, last = 0;
         const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
-        if (curve.IsNull()) {
+        if (curve.IsNull() || edge.Orientation() == TopAbs_INTERNAL) {
             continue;
         }
         const auto& polygon = BRep_Tool::PolygonOnTriangulation(edge, triangulation, location);
         constexpr int finer = 16;
         const int count = finer * std::clamp(polygon.IsNull() ? 16 : polygon->NbNodes() - 1, 1, 1000);
-        gp_Pnt2d before = curve->Value(first);
+        const auto point = [&](double t) { return Vec2(curve->Value(t).X(), curve->Value(t).Y()); };
+        Vec2 before = point(first);
+        ends.push_back({vertices.Add(TopExp::FirstVertex(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)))), before});
         for (int i = 1; i <= count; ++i) {
-            const gp_Pnt2d after = curve->Value(first + (last - first) * i / count);
-            segments.push_back({Vec2(before.X(), before.Y()), Vec2(after.X(), after.Y())});
+            const Vec2 after = point(i == count ? last : first + (last - first) * i / count);
+            segments.push_back({before, after});
             before = after;
         }
+        ends.push_back({vertices.Add(TopExp::LastVertex(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)))), before});
     }
+    close_polygons(std::move(ends), segments);
     return segments;
 }
 
@@ -180,15 +219,11 @@ Foot newton(const Face& face, const Vec3& p, Vec2 uv)
             foot.converged = true;
             return foot;
         }
-        if (next_gap.squaredNorm() <= gap.squaredNorm()) {
+        // Squared distances stop telling steps apart at the square root of rounding; the last steps are taken on trust.
+        if (next_gap.squaredNorm() <= gap.squaredNorm() * (1 + 1e-13) + 1e-26 * face.size * face.size) {
             foot = {next, next_gap + p, false};
             damping = damping > 1e-6 ? damping / 10 : 0;
         } else {
-            // Differences of squares below rounding cannot be told any more.
-            if (moved <= 1e-7 * face.size && next_gap.squaredNorm() <= gap.squaredNorm() * (1 + 1e-14)) {
-                foot.converged = true;
-                return foot;
-            }
             damping = damping > 0 ? damping * 10 : 1e-3;
             if (damping > 1e12) {
                 break;

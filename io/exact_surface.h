@@ -7,8 +7,7 @@
 
 #include <memory>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Closest points on the exact faces and edges of a CAD model, in the numbering of `CadFaces`.
 ///
@@ -16,8 +15,7 @@ namespace tapeline
 /// |S(u,v) - p|² take it to rounding; where they fail, OpenCASCADE's own projection. A foot outside the trimmed face
 /// is replaced by the closest point of the face's border. Everything is built once and only read afterwards, and
 /// surfaces are evaluated without OpenCASCADE's caching adaptors, so all members are safe from several threads.
-class ExactSurface final : public SurfaceProjector
-{
+class ExactSurface final : public SurfaceProjector {
 public:
     /// `faces` must have been triangulated (io/tessellation.h); `model` is the mesh made of them, whose triangles say
     /// which side of each face is outside.

@@ -3,6 +3,7 @@
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_Static.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
@@ -31,12 +32,13 @@ void name_product(const Handle(Interface_InterfaceModel) & model, const std::str
 
 void write_step(const std::filesystem::path& path, const TopoDS_Shape& shape, const std::string& name)
 {
-    STEPControl_Writer writer;
+    STEPControl_Controller::Init();
     Interface_Static::SetCVal("write.step.schema", "AP214IS");
     Interface_Static::SetCVal("write.step.unit", "MM");
     Interface_Static::SetCVal("write.step.product.name", name.c_str());
     Interface_Static::SetIVal("write.step.assembly", 0); // loose patches stay one part, not an assembly of parts
     Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+    STEPControl_Writer writer;
     if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone) {
         throw std::runtime_error("cannot translate " + name + " to STEP");
     }

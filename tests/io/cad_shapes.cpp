@@ -11,6 +11,7 @@
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Compound.hxx>
@@ -43,8 +44,9 @@ void write_brep(const std::filesystem::path& path, const TopoDS_Shape& shape)
 void write_step(const std::filesystem::path& path, const TopoDS_Shape& shape, const char* unit)
 {
     Message::DefaultMessenger()->ChangePrinters().Clear();
+    STEPControl_Controller::Init();
+    Interface_Static::SetCVal("write.step.unit", unit); // read when the writer is made
     STEPControl_Writer writer;
-    Interface_Static::SetCVal("write.step.unit", unit);
     Interface_Static::SetIVal("write.step.assembly", shape.ShapeType() == TopAbs_COMPOUND ? 1 : 0);
     ASSERT_EQ(writer.Transfer(shape, STEPControl_AsIs), IFSelect_RetDone);
     ASSERT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
