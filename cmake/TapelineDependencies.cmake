@@ -25,3 +25,10 @@ find_library(OPENBLAS_LIBRARY openblas REQUIRED)
 add_library(tapeline_cholmod INTERFACE)
 target_include_directories(tapeline_cholmod SYSTEM INTERFACE "${CHOLMOD_INCLUDE_DIR}")
 target_link_libraries(tapeline_cholmod INTERFACE "${CHOLMOD_LIBRARY}" "${OPENBLAS_LIBRARY}")
+
+# Cairo draws the pictures' lines and text and writes their PNG files.
+find_path(CAIRO_INCLUDE_DIR cairo.h PATH_SUFFIXES cairo REQUIRED)
+find_library(CAIRO_LIBRARY cairo REQUIRED)
+add_library(tapeline_cairo INTERFACE)
+target_include_directories(tapeline_cairo SYSTEM INTERFACE "${CAIRO_INCLUDE_DIR}")
+target_link_libraries(tapeline_cairo INTERFACE "${CAIRO_LIBRARY}")

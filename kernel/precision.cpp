@@ -5,11 +5,24 @@
 #include <charconv>
 #include <cmath>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
+namespace {
+
+/// True when the coordinates are float32 values, also after a text file with ten digits or more: those large enough to
+/// show it lie within a sixteenth of float32's step of one, which other numbers do once in eight times.
+bool are_single(const Positions& V, double largest)
 {
+    const double tolerance = std::ldexp(largest, -24) / 16;
+    int telling = 0;
+    for (const double* x = V.data(); x != V.data() + V.size(); ++x) {
+        if (std::abs(*x - static_cast<double>(static_cast<float>(*x))) > tolerance) {
+            return false;
+        }
+        telling += std::abs(*x) > 0.5 * largest;
+    }
+    return telling >= 16;
+}
 
 /// True when x is what reading back its `digits` significant digits gives.
 bool has_digits(double x, int digits)
@@ -40,8 +53,8 @@ double coordinate_precision(const Positions& V)
             return 0.5 * unit;
         }
     }
-    const bool single = all([](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
-    return single && std::ldexp(largest, -24) <= coarsest ? std::ldexp(largest, -24) : exact;
+    const double step = std::ldexp(largest, -24);
+    return step <= coarsest && are_single(V, largest) ? step : exact;
 }
 
 } // namespace tapeline

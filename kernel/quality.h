@@ -30,6 +30,7 @@ struct QualityInput {
 struct Section {
     Vec3 origin = Vec3::Zero();      ///< point of the moved line
     Vec3 normal = Vec3::Zero();      ///< of the section plane (the moved line's tangent)
+    Vec3 outward = Vec3::Zero(); ///< unit, in the plane, away from the part at the moved line
     Vec3 rest_normal = Vec3::Zero(); ///< of the plane of the `before` polylines: the same, unless that plane misses L0;
                                      ///< then L0's tangent at the same place of the line
     std::vector<Vec3> compressed_before, compressed_after; ///< from the line outwards

@@ -19,11 +19,28 @@ constexpr double gauss_band = 0.01;
 /// Share of Σ l|θ| that the signed sum Σ l θ must reach to count as bent one way.
 constexpr double mean_band = 0.05;
 
-/// Discrete curvature of one vertex; zero within the dead band.
+/// Vertices on edges at least this sharp [rad] keep their curvature to themselves.
+constexpr double sharp = 20 * std::numbers::pi / 180;
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+/// Discrete curvature of one vertex with the dead bands of its values.
 struct Curvature {
-    double gauss = std::numeric_limits<double>::quiet_NaN(); ///< angle defect / area [1/mm²]
-    double mean = std::numeric_limits<double>::quiet_NaN();  ///< Σ l θ / (4 area) [1/mm], positive = convex
-    double area = 0;                                         ///< of the vertex's cell [mm²]
+    double gauss = not_measured; ///< angle defect / area [1/mm²]
+    double mean = not_measured;  ///< Σ l θ / (4 area) [1/mm], positive = convex
+    double gauss_zero = 0, mean_zero = 0;
+    double area = 0; ///< of the vertex's cell [mm²]
+    bool on_crease = false;
+
+    bool measured() const { return !std::isnan(gauss); }
+    double sure_gauss() const { return std::abs(gauss) > gauss_zero || !measured() ? gauss : 0; }
+    double sure_mean() const { return std::abs(mean) > mean_zero || !measured() ? mean : 0; }
+    void add(double weight, const Curvature& other)
+    {
+        gauss += weight * other.gauss;
+        mean += weight * other.mean;
+        gauss_zero += weight * other.gauss_zero;
+        mean_zero += weight * other.mean_zero;
+    }
 };
 
 /// What rounding leaves of an angle sum [rad].
@@ -74,7 +91,7 @@ Curvature curvature_at(const Context& context, const Mesh& mesh, const std::vect
     if (cell <= 0 || altitude <= 0) {
         return result;
     }
-    double perimeter = 0, bend = 0, absolute_bend = 0, lengths = 0;
+    double perimeter = 0, bend = 0, absolute_bend = 0, lengths = 0, sharpest = 0;
     for (const int e : context.topology.vertex_edges(v)) {
         const MeshEdge& edge = context.topology.edge(e);
         const double length = (mesh.V.row(edge.b) - mesh.V.row(edge.a)).norm();
@@ -82,14 +99,54 @@ Curvature curvature_at(const Context& context, const Mesh& mesh, const std::vect
         bend += length * angles[e];
         absolute_bend += length * std::abs(angles[e]);
         lengths += length;
+        sharpest = std::max(sharpest, std::abs(angles[e]));
     }
     const double turn = noise / altitude;
-    const double defect = 2 * std::numbers::pi - sum;
     result.area = cell;
-    const double gauss_zero = gauss_band * perimeter * perimeter + turn * (perimeter + turn) + angle_rounding;
-    result.gauss = std::abs(defect) > gauss_zero ? defect / result.area : 0;
-    const double mean_zero = mean_band * absolute_bend + (turn + angle_rounding) * lengths;
-    result.mean = std::abs(bend) > mean_zero ? bend / (4 * result.area) : 0;
+    result.gauss = (2 * std::numbers::pi - sum) / cell;
+    result.gauss_zero = (gauss_band * perimeter * perimeter + turn * (perimeter + turn) + angle_rounding) / cell;
+    result.mean = bend / (4 * cell);
+    result.mean_zero = (mean_band * absolute_bend + (turn + angle_rounding) * lengths) / (4 * cell);
+    result.on_crease = sharpest > sharp;
+    return result;
+}
+
+/// Averages the curvatures over each triangle and back, weighted by the corners' shares of the cells, which keeps their
+/// sum. A single angle defect depends on how the triangles happen to lie around the vertex (with four edges it does
+/// not see the mixed second derivative at all); what neighbours share does not.
+std::vector<Curvature> averaged(const Context& context, const Mesh& mesh, const std::vector<double>& areas,
+                                const std::vector<Curvature>& raw)
+{
+    std::vector<int> index(mesh.V.rows(), -1);
+    for (size_t i = 0; i < raw.size(); ++i) {
+        index[context.vertices[i]] = raw[i].measured() && !raw[i].on_crease ? static_cast<int>(i) : -1;
+    }
+    const auto share = [&](int t, int k) {
+        const Vec3 p = mesh.V.row(mesh.F(t, k));
+        return corner_area(mesh.V.row(mesh.F(t, (k + 1) % 3)).transpose() - p,
+                           mesh.V.row(mesh.F(t, (k + 2) % 3)).transpose() - p, areas[t]);
+    };
+    std::vector<Curvature> result = raw;
+    parallel_for(static_cast<int>(raw.size()), [&](int i) {
+        const int v = context.vertices[i];
+        if (index[v] < 0) {
+            return;
+        }
+        Curvature& out = result[i];
+        out.gauss = out.mean = out.gauss_zero = out.mean_zero = 0;
+        for (const int t : context.topology.vertex_faces(v)) {
+            double total = 0, own = 0;
+            for (int k = 0; k < 3; ++k) {
+                total += index[mesh.F(t, k)] >= 0 ? share(t, k) : 0;
+                own += mesh.F(t, k) == v ? share(t, k) : 0;
+            }
+            for (int k = 0; k < 3 && total > 0; ++k) {
+                if (index[mesh.F(t, k)] >= 0) {
+                    out.add(own / out.area * share(t, k) / total, raw[index[mesh.F(t, k)]]);
+                }
+            }
+        }
+    });
     return result;
 }
 
@@ -115,7 +172,7 @@ std::vector<Curvature> curvatures(const Context& context, const Mesh& mesh, cons
             result[i] = curvature_at(context, mesh, areas, angles, noise, v);
         }
     });
-    return result;
+    return averaged(context, mesh, areas, result);
 }
 
 struct BothCurvatures {
@@ -124,8 +181,9 @@ struct BothCurvatures {
 
 BothCurvatures both(const Context& context)
 {
-    // What the input's digits leave open at rest is still open after the move.
-    const double noise = 2 * coordinate_precision(context.rest.V);
+    // What the input's digits leave open at rest is still open after the move. A normal depends on several coordinates,
+    // each off by up to the precision either way.
+    const double noise = 4 * coordinate_precision(context.rest.V);
     return {curvatures(context, context.rest, context.rest_normals, context.rest_areas, noise),
             curvatures(context, context.moved, context.moved_normals, context.moved_areas, noise)};
 }
@@ -137,12 +195,12 @@ void measure_curvature(const Context& context, QualityReport& report)
     const auto [before, after] = both(context);
     double area = 0, gauss = 0, mean = 0;
     for (size_t i = 0; i < before.size(); ++i) {
-        if (std::isnan(before[i].gauss) || std::isnan(after[i].gauss)) {
+        if (!before[i].measured() || !after[i].measured()) {
             continue;
         }
         area += before[i].area;
-        gauss += before[i].gauss * after[i].gauss < 0 ? before[i].area : 0;
-        mean += before[i].mean * after[i].mean < 0 ? before[i].area : 0;
+        gauss += before[i].sure_gauss() * after[i].sure_gauss() < 0 ? before[i].area : 0;
+        mean += before[i].sure_mean() * after[i].sure_mean() < 0 ? before[i].area : 0;
     }
     report.gauss_sign_change = area > 0 ? gauss / area : 0;
     report.mean_sign_change = area > 0 ? mean / area : 0;
@@ -156,10 +214,10 @@ void curvature_maps(const Context& context, QualityMaps& maps)
     }
     for (size_t i = 0; i < before.size(); ++i) {
         const int v = context.vertices[i];
-        maps.gauss_before[v] = before[i].gauss;
-        maps.gauss_after[v] = after[i].gauss;
-        maps.mean_before[v] = before[i].mean;
-        maps.mean_after[v] = after[i].mean;
+        maps.gauss_before[v] = before[i].sure_gauss();
+        maps.gauss_after[v] = after[i].sure_gauss();
+        maps.mean_before[v] = before[i].sure_mean();
+        maps.mean_after[v] = after[i].sure_mean();
     }
 }
 

@@ -9,11 +9,9 @@
 #include <cmath>
 #include <limits>
 
-namespace tapeline::quality
-{
+namespace tapeline::quality {
 
-namespace
-{
+namespace {
 
 /// A place on the line: on the edge from entry k to entry k + 1.
 struct Station {
@@ -154,6 +152,20 @@ std::array<std::vector<char>, 2> marked_sides(const Context& context)
     return marks;
 }
 
+/// Outward normal at the line's edge, laid into the plane.
+Vec3 outward_at(const Context& context, const Plane& plane, const Station& at)
+{
+    const int a = context.line_from(at.edge), b = context.line_to(at.edge);
+    Vec3 sum = Vec3::Zero();
+    for (const int face : {context.topology.face_left_of(a, b), context.topology.face_left_of(b, a)}) {
+        if (face >= 0) {
+            sum += context.moved_normals.row(face).transpose();
+        }
+    }
+    sum -= sum.dot(plane.normal) * plane.normal;
+    return sum.norm() > 1e-9 ? Vec3(sum.normalized()) : Vec3(plane.normal.unitOrthogonal());
+}
+
 /// Both halves of the section of one shape; [0] compressed, [1] tension.
 std::array<std::vector<Vec3>, 2> cut(const Context& context, const Positions& V, const Plane& plane, const Station& at,
                                      const std::array<std::vector<char>, 2>& marks)
@@ -182,6 +194,7 @@ Section section_at(const Context& context, const Station& station, const std::ar
     section.origin = point_on(context, context.moved.V, station);
     section.normal = section.rest_normal = tangent_on(context, context.moved.V, station);
     Plane plane{section.origin, section.normal};
+    section.outward = outward_at(context, plane, station);
     const Station after = crossing(context, context.moved.V, plane, section.origin);
     if (after.edge >= 0) {
         auto halves = cut(context, context.moved.V, plane, after, marks);

@@ -6,11 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Vec2 = Eigen::Vector2d;
 
@@ -20,8 +18,7 @@ constexpr double degrees = 180 / std::numbers::pi;
 constexpr int max_samples = 1000;
 
 /// A polyline in its plane, by arc length.
-class PlanePolyline
-{
+class PlanePolyline {
 public:
     PlanePolyline(std::span<const Vec3> polyline, const Vec3& normal) : origin_(polyline.front())
     {
@@ -155,12 +152,18 @@ std::vector<int> reversals(const Directions& d)
     return found;
 }
 
-/// dθ/ds at sample i over about one chord; one-sided at the ends.
+/// dθ/ds at sample i: slope of the straight line fitted to θ over `reach` samples either way; one-sided at the ends.
 double slope(const Directions& d, int i, int reach)
 {
     const int count = static_cast<int>(d.theta.size());
     const int from = std::max(0, i - reach), to = std::min(count - 1, i + reach);
-    return (d.theta[to] - d.theta[from]) / ((to - from) * d.step);
+    const double middle = 0.5 * (from + to);
+    double rise = 0, run = 0;
+    for (int k = from; k <= to; ++k) {
+        rise += (k - middle) * d.theta[k];
+        run += (k - middle) * (k - middle);
+    }
+    return rise / (run * d.step);
 }
 
 } // namespace
@@ -178,7 +181,7 @@ SectionShape section_shape(std::span<const Vec3> polyline, const Vec3& normal)
     const double segment = std::max(line.median_segment(), line.length() / max_samples);
     Directions d = directions(line, segment);
     const int count = static_cast<int>(d.theta.size());
-    const int reach = std::max(1, static_cast<int>(std::lround(0.5 * half_chord_segments * segment / d.step)));
+    const int reach = std::max(1, static_cast<int>(std::lround(0.75 * half_chord_segments * segment / d.step)));
     for (int i = 0; i < count; ++i) {
         const double s = d.first + i * d.step;
         const double theta = d.theta[i];
@@ -198,7 +201,7 @@ SectionShape section_shape(std::span<const Vec3> polyline, const Vec3& normal)
     total += std::abs(d.theta.back() - from);
     // The first and last chords miss their outer half; a curve that is long enough goes on bending as it did.
     if (line.segments() >= 6) {
-        total += d.first * (std::abs(slope(d, 0, 2 * reach)) + std::abs(slope(d, count - 1, 2 * reach)));
+        total += d.first * (std::abs(slope(d, 0, reach)) + std::abs(slope(d, count - 1, reach)));
     }
     shape.turning = total * degrees;
     return shape;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
@@ -13,8 +14,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 constexpr double pi = std::numbers::pi;
 
@@ -237,6 +237,10 @@ TEST(CoordinatePrecision, IsReadOffTheDigits)
     Mesh mesh = crease_panel(60, 40, Diagonals::random);
     EXPECT_LT(coordinate_precision(mesh.V), 1e-12);
     Positions single = mesh.V.cast<float>().cast<double>();
+    EXPECT_NEAR(coordinate_precision(single), 400 * std::ldexp(1.0, -24), 1e-12);
+    for (double* x = single.data(); x != single.data() + single.size(); ++x) {
+        *x = std::stod(fmt::format("{:.10f}", *x));
+    }
     EXPECT_NEAR(coordinate_precision(single), 400 * std::ldexp(1.0, -24), 1e-12);
     Positions text = (mesh.V.array() * 1000).round() / 1000; // six digits: 399.999
     EXPECT_NEAR(coordinate_precision(text), 0.0005, 1e-9);
