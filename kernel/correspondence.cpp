@@ -7,11 +7,9 @@
 #include <exception>
 #include <fmt/format.h>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 Result<MatchInput> match_input(const Model& model, const FeatureLine& line, const TargetCurve& target)
 {

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 enum class CorrespondenceMode {
     projection, ///< each L0 vertex goes to its orthogonal foot on Lt (the paper's eq. 1); Lt trims L0

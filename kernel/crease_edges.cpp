@@ -12,11 +12,9 @@
 #include <numbers>
 #include <optional>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Vec2 = Eigen::Vector2d;
 

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 enum class CreaseLevel : char {
     none,

@@ -11,11 +11,9 @@
 #include <numbers>
 #include <set>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Number of edges of a line.
 int edge_count(const FeatureLine& line) { return static_cast<int>(line.vertices.size()) - (line.closed ? 0 : 1); }

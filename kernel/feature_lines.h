@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// A chain of mesh edges along a crease of the model (the paper's L0, Section 3.3).
 struct FeatureLine {

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 constexpr double largest_spread = 2;
 constexpr double smallest_spread = 0.2;

@@ -4,8 +4,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Stations of a row of points on a curve: arc lengths that should grow from point to point. The first and last count
 /// as given.

@@ -10,11 +10,9 @@
 #include <numeric>
 #include <optional>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 constexpr double nearly_as_near = 1.05;
 constexpr double end_snap = 0.75; ///< share of an edge
@@ -47,8 +45,7 @@ std::vector<double> polyline_lengths(const MatchInput& input)
     return lengths;
 }
 
-class Matcher
-{
+class Matcher {
 public:
     Matcher(const MatchInput& input, const TargetCurve& curve)
         : input_(input), curve_(curve), n_(static_cast<int>(input.points.size())), length_(curve.length()),

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Where the vertices of a polyline go on a target curve.
 struct FootMatch {

@@ -11,17 +11,14 @@
 #include <numbers>
 #include <tuple>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Rounds angles so that the order of candidates does not hang on the last bits.
 long long rounded(double angle) { return std::llround(angle * 1e6); }
 
-class Chainer
-{
+class Chainer {
 public:
     Chainer(const Mesh& mesh, const Topology& topology, std::vector<CreaseLevel> level,
             const std::vector<int>& cad_edge, const ChainOptions& options)

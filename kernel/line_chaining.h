@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// A chain of mesh edges without branches that meets no vertex twice.
 struct EdgeChain {

@@ -7,11 +7,9 @@
 #include <fmt/format.h>
 #include <optional>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// One end of a range: a length, in mm or as a share of the whole.
 struct Station {

@@ -256,7 +256,7 @@ Result<Region> make_checked(const Request& r)
     if (auto checked = check_region(r.model, r.topology, r.line, region, r.options); !checked) {
         return tl::unexpected(checked.error());
     }
-    if (auto checked = check_targets(r.model, r.topology, r.line, r.targets, r.feet, region, r.options); !checked) {
+    if (auto checked = check_targets(r.model, r.line, r.targets, r.feet, region); !checked) {
         return tl::unexpected(checked.error());
     }
     warn_of_shape(r, choice->inside, region.warnings);

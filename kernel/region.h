@@ -37,8 +37,7 @@ struct RegionOptions {
 /// boxes are then tidied (kernel/region_shape.h). A line may end on the rim or on an open border, but not touch either
 /// in between. A region that is not a disk around the line (or a ring around a closed one) is only warned about.
 /// Rejected when the region does not hold the line's edges, the line runs on the rim or a border, the targets start
-/// farther away than the width, cross the rim, or slide the line's end along a fixed border, or when a non-manifold edge
-/// or zero-area triangle is inside (the place is named). Usage error when the options contradict each other.
+/// farther away than the width or cross the rim, or when a non-manifold edge or zero-area triangle is inside (the place is named). Usage error when the options contradict each other.
 Result<Region> make_region(const Model& model, const FeatureLine& line, const std::vector<Vec3>& targets,
                            const RegionOptions& options = {});
 

@@ -209,9 +209,8 @@ Result<void> check_distance(const Mesh& mesh, const FeatureLine& line, const std
 
 } // namespace
 
-Result<void> check_targets(const Model& model, const Topology& topology, const FeatureLine& line,
-                           const std::vector<Vec3>& targets, const std::vector<MeshFoot>& feet, const Region& region,
-                           const RegionOptions& options)
+Result<void> check_targets(const Model& model, const FeatureLine& line, const std::vector<Vec3>& targets,
+                           const std::vector<MeshFoot>& feet, const Region& region)
 {
     const Mesh& mesh = model.mesh;
     if (auto distance = check_distance(mesh, line, targets, feet, region); !distance) {
@@ -229,24 +228,6 @@ Result<void> check_targets(const Model& model, const Topology& topology, const F
     for (size_t i = 0; i < targets.size(); ++i) {
         const int v = line.vertices[i];
         const bool end = !line.closed && (i == 0 || i + 1 == targets.size());
-        const bool on_border = topology.border_vertex(v);
-        if (end && on_border && !options.free_borders) {
-            double shortest = std::numeric_limits<double>::infinity();
-            for (const int e : topology.vertex_edges(v)) {
-                if (topology.edge(e).border()) {
-                    shortest = std::min(shortest, (mesh.V.row(topology.other_end(e, v)) - mesh.V.row(v)).norm());
-                }
-            }
-            const double moved = (targets[i] - Vec3(mesh.V.row(v))).norm();
-            if (moved > 0.1 * shortest) {
-                return fail(
-                    ErrorKind::rejected,
-                    fmt::format("the line ends on the model's open border ({}) and is to move {:.4g} mm there, but "
-                                "the border is fixed; free the borders (free_borders) or let the target end where "
-                                "the line does",
-                                vertex_place(mesh, v), moved));
-            }
-        }
         const bool touches_anyway = end && contains(region.fixed_rim, v);
         if (outside(feet[i]) || (!touches_anyway && feet[i].face >= 0 && on_rim(mesh, region, feet[i]))) {
             return fail(ErrorKind::rejected,

@@ -25,8 +25,7 @@ Result<void> check_region(const Model& model, const Topology& topology, const Fe
                           const RegionOptions& options);
 
 /// Checks the targets against the region; `feet` are the targets' closest points on the whole mesh.
-Result<void> check_targets(const Model& model, const Topology& topology, const FeatureLine& line,
-                           const std::vector<Vec3>& targets, const std::vector<MeshFoot>& feet, const Region& region,
-                           const RegionOptions& options);
+Result<void> check_targets(const Model& model, const FeatureLine& line, const std::vector<Vec3>& targets,
+                           const std::vector<MeshFoot>& feet, const Region& region);
 
 } // namespace tapeline
