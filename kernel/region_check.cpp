@@ -175,7 +175,7 @@ bool on_rim(const Mesh& mesh, const Region& region, const MeshFoot& foot)
 Result<void> check_distance(const Mesh& mesh, const FeatureLine& line, const std::vector<Vec3>& targets,
                             const std::vector<MeshFoot>& feet, const Region& region)
 {
-    if (region.distance_mm <= 0) {
+    if (region.distance_mm <= 0 || targets.empty()) {
         return {};
     }
     const auto moved = [&](size_t i) { return (targets[i] - Vec3(mesh.V.row(line.vertices[i]))).norm(); };
