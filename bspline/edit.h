@@ -2,37 +2,30 @@
 #pragma once
 
 #include "bspline/fit.h"
+#include "bspline/slide.h"
 #include "bspline/target_line.h"
-#include "kernel/closest_point.h"
 
 #include <vector>
 
 namespace tapeline {
 
-/// One change of a control point: to a position, or by a vector when `relative`.
+/// One change of a control point: to a position, or by a vector when `relative` [mm].
 struct ControlPointEdit {
     int index = 0;
     Vec3 value = Vec3::Zero();
     bool relative = false;
 };
+/// Applies edits one after the other; knots and weights stay. A closed line stays closed: its first and last control
+/// point are one, and where it was tangent-continuous at the seam it stays so: the points beside the seam go along
+/// with the seam point, and moving one of them turns the other about it.
+/// Rejected: an index out of range, a value that is not finite.
 Result<TargetLine> move_control_points(const TargetLine& line, const std::vector<ControlPointEdit>& edits);
 
-/// Slide law: pairs (fraction of arc length in [0, 1], signed distance [mm]); monotone-smooth (PCHIP) in between.
-/// One pair = constant.
-struct SlideLaw {
-    std::vector<std::pair<double, double>> values;
-};
-/// Slides a line along the model's surface, at each point perpendicular to the line and tangent to the surface,
-/// positive to the left of the line seen from outside, measured along the surface; the result is refitted and
-/// lies on the surface within `tolerance_mm` (0 = as in FitOptions).
-Result<TargetLine> slide_on_surface(const TargetLine& line, const Mesh& mesh, const SlideLaw& law,
-                                    double tolerance_mm = 0);
-
-/// Drops the line onto the model: samples it, takes closest surface points, refits. Rejected when a point is farther
-/// from the model than the line's own length.
-Result<TargetLine> lay_on_surface(const TargetLine& line, const Mesh& mesh, double tolerance_mm = 0);
-
-/// Local Farin–Sapidis fairing (method.md H3), moving no control point by more than `max_move_mm`.
+/// Local Farin–Sapidis fairing (method.md H3): evens out the jumps of the third derivative at the knots, one control
+/// point at a time where the jump is largest, as long as their sum falls, moving no control point by more than
+/// `max_move_mm`. The two control points at each end stay, so ends, end tangents and a closed line's seam are kept.
+/// A line that is no plain cubic (degree, weights, repeated knots) is refitted as one first, within a tenth of
+/// `max_move_mm`, which then counts into the limit.
 Result<TargetLine> fair(const TargetLine& line, double max_move_mm);
 
 } // namespace tapeline

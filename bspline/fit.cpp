@@ -110,9 +110,13 @@ Result<Candidate> fit_count(const Polyline& polyline, const FitOptions& options,
     return candidate;
 }
 
-Result<Candidate> fit_tolerance(const Polyline& polyline, int degree, double tolerance)
+Result<Candidate> fit_tolerance(const Polyline& polyline, const FitOptions& options, double tolerance)
 {
-    const int most_spans = std::min<int>(5000, 16 + 2 * static_cast<int>(polyline.points.size()));
+    const int degree = options.degree;
+    int most_spans = std::min(5000, 16 + 2 * static_cast<int>(polyline.points.size()));
+    if (options.max_control_points > 0) {
+        most_spans = std::min(most_spans, options.max_control_points - degree);
+    }
     SplineSpace space = even_space(degree, polyline.closed ? 4 : 1, polyline.closed);
     double best = std::numeric_limits<double>::infinity();
     int best_poles = 0;
@@ -154,7 +158,7 @@ try {
     const double tolerance = options.tolerance_mm > 0 ? options.tolerance_mm
                                                       : std::max(0.2 * polyline->sagitta(), 1e-4 * polyline->length());
     const auto candidate = options.control_points > 0 ? fit_count(*polyline, options, tolerance)
-                                                      : fit_tolerance(*polyline, options.degree, tolerance);
+                                                      : fit_tolerance(*polyline, options, tolerance);
     if (!candidate) {
         return tl::unexpected(candidate.error());
     }

@@ -12,6 +12,7 @@ struct FitOptions {
     double tolerance_mm =
         0;          ///< largest distance of a point to the curve; 0 = max(0.2 sagitta, 1e-4 length) (method.md H2)
     int degree = 3; ///< from 1 to 9
+    int max_control_points = 0; ///< with a tolerance: give up rather than use more; 0 = no such limit
 };
 struct FitReport {
     double max_error_mm = 0;   ///< largest distance of a polyline point to the curve; this is what the tolerance bounds

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bspline/target_line.h"
+#include "kernel/closest_point.h"
+
+#include <functional>
+#include <vector>
+
+namespace tapeline::spline {
+
+/// Surface points of the line wanted, for a list of fractions of the source line's arc length.
+using PlacePoints = std::function<Result<std::vector<Vec3>>(const std::vector<double>& fractions)>;
+
+/// Checks a tolerance [mm] given by a caller: finite, not negative.
+Result<void> check_tolerance(double tolerance_mm);
+
+/// Fits a line through surface points so that it lies within the tolerance of them and of the surface, with more
+/// points and a tighter fit where the first attempt strays between them. `samples` is the first number of points.
+/// tolerance_mm = 0: as documented at `slide_on_surface`.
+Result<TargetLine> fit_on_surface(const PlacePoints& place, bool closed, int samples, const ClosestPoint& surface,
+                                  double tolerance_mm);
+
+/// A good number of samples for a line on a mesh: some per span of the line, and about two per triangle crossed.
+int sample_count(const TargetLine& line, const Mesh& mesh);
+
+} // namespace tapeline::spline
