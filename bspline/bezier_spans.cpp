@@ -62,7 +62,7 @@ std::array<T, 3> casteljau(T* c, int degree, double s, const T& zero)
     return result;
 }
 
-constexpr int max_degree = 25; // OpenCASCADE's limit
+constexpr int max_degree = BSplineData::max_degree;
 
 } // namespace
 

@@ -22,7 +22,7 @@ struct BezierSpan {
     Eigen::AlignedBox3d box;     ///< of the control points, so it holds the piece
 
     /// By de Casteljau's scheme on differences to the first control point: exact at both ends, stable at every
-    /// degree and far from the origin (OpenCASCADE's own evaluation loses half of the digits at degree 25).
+    /// degree and far from the origin.
     CurveValue value(double t) const;
 };
 

@@ -4,10 +4,6 @@
 #include "bspline/knots.h"
 #include "bspline/target_line_impl.h"
 
-#include <Standard_Failure.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt.hxx>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -21,9 +17,9 @@ tl::unexpected<Error> rejected(std::string message) { return fail(ErrorKind::rej
 Result<void> check_values(const BSplineData& data)
 {
     const size_t n = data.control_points.size();
-    if (data.degree < 1 || data.degree > Geom_BSplineCurve::MaxDegree()) {
+    if (data.degree < 1 || data.degree > BSplineData::max_degree) {
         return rejected(fmt::format("the target line has degree {}: use a degree from 1 to {}", data.degree,
-                                    Geom_BSplineCurve::MaxDegree()));
+                                    BSplineData::max_degree));
     }
     if (n < static_cast<size_t>(data.degree) + 1) {
         return rejected(fmt::format("the target line has {} control points: degree {} needs at least {}", n,
@@ -90,35 +86,6 @@ Result<void> check_knots(const BSplineData& data)
     return {};
 }
 
-/// OpenCASCADE's curve of clamped data; may throw Standard_Failure.
-Handle(Geom_BSplineCurve) make_curve(const BSplineData& data)
-{
-    const int n = static_cast<int>(data.control_points.size());
-    TColgp_Array1OfPnt poles(1, n);
-    TColStd_Array1OfReal weights(1, n);
-    for (int i = 0; i < n; ++i) {
-        const Vec3& p = data.control_points[i];
-        poles(i + 1) = gp_Pnt(p.x(), p.y(), p.z());
-        weights(i + 1) = data.weights.empty() ? 1 : data.weights[i];
-    }
-    std::vector<double> values;
-    std::vector<int> counts;
-    for (const double u : data.knots) {
-        if (values.empty() || values.back() != u) {
-            values.push_back(u);
-            counts.push_back(0);
-        }
-        ++counts.back();
-    }
-    TColStd_Array1OfReal knots(1, static_cast<int>(values.size()));
-    TColStd_Array1OfInteger multiplicities(1, static_cast<int>(values.size()));
-    for (size_t i = 0; i < values.size(); ++i) {
-        knots(static_cast<int>(i) + 1) = values[i];
-        multiplicities(static_cast<int>(i) + 1) = counts[i];
-    }
-    return new Geom_BSplineCurve(poles, weights, knots, multiplicities, data.degree);
-}
-
 Result<void> check_closed(const BSplineData& data, double extent)
 {
     const double gap = (data.control_points.front() - data.control_points.back()).norm();
@@ -156,7 +123,6 @@ try {
         return tl::unexpected(checked.error());
     }
     impl->tiny = 1e-12 * extent;
-    impl->curve = make_curve(impl->data);
     impl->spans = spline::BezierSpans(impl->data);
     std::vector<double> breaks{impl->spans.spans().front().first};
     for (const auto& span : impl->spans.spans()) {
@@ -167,10 +133,6 @@ try {
         return rejected("the target line has no length");
     }
     return TargetLine(impl);
-} catch (const Standard_Failure& failure) {
-    return rejected(fmt::format("the target line is no valid B-spline ({}): check that its distinct knots are not "
-                                "closer than rounding",
-                                failure.GetMessageString() ? failure.GetMessageString() : "unknown reason"));
 } catch (const std::exception& exception) {
     return rejected(fmt::format("the target line cannot be used: {}", exception.what()));
 }

@@ -12,6 +12,8 @@ namespace tapeline {
 /// Plain data of a B-spline curve; what the JSON target file holds. Knots are given with repetition
 /// (control_points + degree + 1 of them; a closed curve is written clamped, first point = last point).
 struct BSplineData {
+    static constexpr int max_degree = 25; ///< OpenCASCADE's limit
+
     int degree = 3;
     std::vector<double> knots;
     std::vector<double> weights;      ///< empty = all 1
@@ -19,7 +21,9 @@ struct BSplineData {
     bool closed = false;
 };
 
-/// An exact B-spline target line Lt (OpenCASCADE Geom_BSplineCurve behind a light face). Value type, immutable.
+/// An exact B-spline target line Lt, the same curve as OpenCASCADE's Geom_BSplineCurve of these data (io/ converts).
+/// Value type, immutable. Evaluated by de Casteljau's scheme on Bézier pieces: OpenCASCADE 7.6 goes through Taylor
+/// coefficients, which loses half of the digits at degree 25 and would put vertices off the line.
 class TargetLine final : public TargetCurve {
 public:
     /// Rejected when the knots, degree, weights and points do not make a curve, or a value is not finite. Knots that

@@ -5,14 +5,11 @@
 #include "bspline/bezier_spans.h"
 #include "bspline/target_line.h"
 
-#include <Geom_BSplineCurve.hxx>
-
 namespace tapeline {
 
-/// What a TargetLine holds; everything is fixed at construction. Only for .cpp files of bspline/ (OpenCASCADE header).
+/// What a TargetLine holds; everything is fixed at construction.
 struct TargetLine::Impl {
-    BSplineData data; ///< clamped
-    Handle(Geom_BSplineCurve) curve;
+    BSplineData data;          ///< clamped
     spline::BezierSpans spans; ///< the same curve span by span, for bounds and root isolation
     spline::ArcLengthTable lengths;
     double tiny = 0; ///< 1e-12 of the curve's extent: what counts as zero distance [mm]

@@ -164,7 +164,7 @@ Result<TopoDS_Shape> read_shape(const std::string& path, FileFormat format, CadS
 
 } // namespace
 
-Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat format)
+Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat format, CadContent content)
 {
     const std::string name = path.string();
     try {
@@ -173,8 +173,11 @@ Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat fo
         if (!shape) {
             return tl::unexpected(shape.error());
         }
-        if (!TopExp_Explorer(*shape, TopAbs_FACE).More()) {
-            const bool curves = TopExp_Explorer(*shape, TopAbs_EDGE).More();
+        const bool curves = TopExp_Explorer(*shape, TopAbs_EDGE).More();
+        if (content == CadContent::curves && !curves) {
+            return fail(ErrorKind::rejected, fmt::format("{} holds no curve; export the line as a curve or edge", name));
+        }
+        if (content == CadContent::faces && !TopExp_Explorer(*shape, TopAbs_FACE).More()) {
             return fail(ErrorKind::rejected,
                         fmt::format("{} holds {} but no surface; export the part's faces or solids", name,
                                     curves ? "curves" : "points"));

@@ -22,10 +22,18 @@ struct CadShape {
     std::vector<std::string> warnings;
 };
 
+/// What a caller needs to find in a CAD file.
+enum class CadContent {
+    faces, ///< a model
+    curves ///< a target line: edges, with or without faces
+};
+
 /// Reads STEP (AP203, AP214, AP242), IGES or BREP (text or binary). Units are taken from the file; a BREP has none and
-/// counts as mm. Fails with ErrorKind::unreadable (not whole, not parsed) or ErrorKind::rejected (no faces in it).
+/// counts as mm. Fails with ErrorKind::unreadable (not whole, not parsed) or ErrorKind::rejected (nothing of the wanted
+/// content in it).
 /// One file at a time: OpenCASCADE's readers share their settings, so calls from several threads wait for each other.
-Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat format);
+Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat format,
+                                CadContent content = CadContent::faces);
 
 /// The faces and edges of a shape in a fixed numbering: faces as the file's exploration meets them, edges as the faces
 /// in that order meet them. A part placed twice has its faces twice.

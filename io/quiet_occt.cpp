@@ -4,11 +4,24 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <iostream>
+#include <mutex>
 
 namespace tapeline
 {
 
+namespace
+{
+
+std::recursive_mutex& one_thread_at_a_time()
+{
+    static std::recursive_mutex mutex;
+    return mutex;
+}
+
+} // namespace
+
 struct QuietOcct::Printers {
+    std::lock_guard<std::recursive_mutex> lock{one_thread_at_a_time()};
     Message_SequenceOfPrinters kept;
     std::streambuf* standard_output = nullptr;
 };
