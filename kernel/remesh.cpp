@@ -65,6 +65,29 @@ Result<void> check_input(const Model& model, const Topology& topology, const std
     return {};
 }
 
+/// Names the worst place where thin triangles remain.
+void warn_of_thin(RemeshResult& result)
+{
+    constexpr double thin = 5;
+    int count = 0, worst = -1;
+    double smallest = thin;
+    for (const int t : result.region_faces) {
+        const double angle = triangle_min_angle(result.model.mesh, t);
+        count += angle < thin ? 1 : 0;
+        if (angle < smallest) {
+            smallest = angle;
+            worst = t;
+        }
+    }
+    if (worst >= 0) {
+        const Vec3 at = result.model.mesh.V.row(result.model.mesh.F(worst, 0));
+        result.warnings.push_back(fmt::format("{} triangles below {} deg remain in the remeshed region, the worst with "
+                                              "{:.3g} deg at ({:.6g}, {:.6g}, {:.6g}) mm, where feature edges or the "
+                                              "input's triangles leave no better",
+                                              count, thin, smallest, at.x(), at.y(), at.z()));
+    }
+}
+
 Result<RemeshResult> remeshed(const Model& model, const std::vector<int>& faces, const RemeshOptions& options)
 {
     const Topology topology(model.mesh.F, static_cast<int>(model.mesh.V.rows()));
@@ -87,6 +110,7 @@ Result<RemeshResult> remeshed(const Model& model, const std::vector<int>& faces,
     }
     result.min_angle_before = min_angle(model.mesh, faces);
     result.min_angle_after = min_angle(result.model.mesh, result.region_faces);
+    warn_of_thin(result);
     return result;
 }
 

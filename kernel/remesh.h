@@ -35,7 +35,8 @@ struct RemeshResult {
 /// Remeshes a part of the model with even, well-shaped triangles (CGAL isotropic remeshing; method.md 8.4). Feature
 /// edges, CAD tags on them, open borders and the part's own border are split to length and kept; the neighbours outside
 /// are split along so that the mesh stays conforming. New vertices are put back on the exact CAD surface where there
-/// is one; triangles that would flip by that are left.
+/// is one; triangles that would flip by that are left. Beside kept edges that are much shorter than max_edge_mm the
+/// mesh is graded down to their length (kernel/mesh_grading.h).
 /// Smooth seams between CAD faces are not kept: the triangles flow across them, get the CAD face of the old triangle
 /// nearest to their centre, and the seam's edge tags end at the region's border.
 /// Rejected when no or unknown triangles are listed, max_edge_mm is not positive or would give more than five million

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernel/closest_point.h"
+#include "kernel/mesh_grading.h"
 #include "kernel/parallel.h"
 #include "kernel/remesh_renumber.h"
 #include "kernel/remesh_stages.h"
@@ -76,28 +76,6 @@ void fill_vertices(const Divided& divided, const Remeshed& remeshed, const Numbe
     }
 }
 
-/// The old triangles of each part, to ask for the nearest.
-class OldSurface {
-public:
-    OldSurface(const Divided& divided, const Remeshed& remeshed) : model_(divided.model)
-    {
-        std::vector<std::vector<int>> faces(1 + *std::max_element(remeshed.part.begin(), remeshed.part.end()));
-        for (int t = 0; t < static_cast<int>(remeshed.part.size()); ++t) {
-            faces[remeshed.part[t]].push_back(remeshed.patch.to_face[t]);
-        }
-        for (const std::vector<int>& part : faces) {
-            trees_.emplace_back(model_.mesh, part);
-        }
-    }
-
-    /// Triangle of the divided model in this part nearest to p; -1 = none.
-    int nearest(int part, const Vec3& p) const { return trees_[part].closest(p).face; }
-
-private:
-    const Model& model_;
-    std::vector<ClosestPoint> trees_;
-};
-
 double longest_edge(const Mesh& mesh, int t)
 {
     double longest = 0;
@@ -107,7 +85,7 @@ double longest_edge(const Mesh& mesh, int t)
     return longest;
 }
 
-void fill_faces(const Divided& divided, const Remeshed& remeshed, const Numbering& number, const OldSurface* old,
+void fill_faces(const Divided& divided, const Remeshed& remeshed, const Numbering& number, const PartSurface* old,
                 RemeshResult& out)
 {
     const Mesh& before = divided.model.mesh;
@@ -140,9 +118,9 @@ void fill_faces(const Divided& divided, const Remeshed& remeshed, const Numberin
             out.model.mesh.F(row, k) = number.of_patch[after.F(t, k)];
             centre += Vec3(after.V.row(after.F(t, k))) / 3;
         }
-        const int nearest = tagged ? old->nearest(remeshed.result.part[t], centre) : -1;
+        const int nearest = tagged ? old->closest(remeshed.result.part[t], centre).face : -1;
         if (nearest >= 0) {
-            out.model.cad_face[row] = divided.model.cad_face[nearest];
+            out.model.cad_face[row] = divided.model.cad_face[remeshed.patch.to_face[nearest]];
         }
     });
     out.region_faces.assign(place.begin() + first_inside, place.end());
@@ -173,7 +151,7 @@ std::vector<CadEdgeTag> carried_tags(const Divided& divided, const Numbering& nu
 /// The new vertices' places on the exact geometry: those put on kept edges are known, the others take the CAD face of
 /// the nearest old triangle of their part.
 std::vector<SurfaceSite> find_sites(const Divided& divided, const Remeshed& remeshed, const Numbering& number,
-                                    const OldSurface& old, const RemeshOptions& options)
+                                    const PartSurface& old, const RemeshOptions& options)
 {
     std::vector<SurfaceSite> sites = divided.sites;
     for (SurfaceSite& site : sites) {
@@ -197,7 +175,8 @@ std::vector<SurfaceSite> find_sites(const Divided& divided, const Remeshed& reme
         const int v = fresh[i];
         SurfaceSite& site = sites[first + i];
         site.vertex = number.of_patch[v];
-        if (const int t = old.nearest(part[v], result.mesh.V.row(v)); t >= 0) {
+        if (const int nearest = old.closest(part[v], result.mesh.V.row(v)).face; nearest >= 0) {
+            const int t = remeshed.patch.to_face[nearest];
             site.cad_face = divided.model.cad_face[t];
             site.reach = std::max(0.5 * options.max_edge_mm, 0.25 * longest_edge(divided.model.mesh, t));
         }
@@ -217,7 +196,7 @@ RemeshResult join(const Divided& divided, const Remeshed& remeshed, const Remesh
     if (divided.model.cad_face.empty()) {
         fill_faces(divided, remeshed, number, nullptr, out);
     } else {
-        const OldSurface old(divided, remeshed);
+        const PartSurface old(remeshed.patch.mesh, remeshed.part);
         fill_faces(divided, remeshed, number, &old, out);
         sites = find_sites(divided, remeshed, number, old, options);
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/mesh_grading.h"
 #include "kernel/remesh_stages.h"
 
 #include <algorithm>
@@ -37,6 +38,37 @@ std::vector<int> parts_of(const Mesh& mesh, const std::vector<VertexPair>& kept)
     return part;
 }
 
+/// Improves the remeshed triangles on the input's surface; vertices that move are no longer old ones.
+void grade(IsotropicResult& result, const IsotropicInput& input)
+{
+    // Kept edges in the result's numbers: their ends are input vertices that stayed.
+    std::vector<int> number(input.mesh.V.rows(), -1);
+    for (int v = 0; v < static_cast<int>(result.old_vertex.size()); ++v) {
+        if (result.old_vertex[v] >= 0) {
+            number[result.old_vertex[v]] = v;
+        }
+    }
+    GradedMesh graded{result.mesh, result.part, std::vector<char>(result.mesh.V.rows(), 1)};
+    std::vector<VertexPair> kept;
+    for (const VertexPair& e : input.kept_edges) {
+        kept.push_back(vertex_pair(number[e[0]], number[e[1]]));
+        graded.movable[number[e[0]]] = graded.movable[number[e[1]]] = 0;
+    }
+    for (const int v : input.kept_vertices) {
+        graded.movable[number[v]] = 0;
+    }
+    std::sort(kept.begin(), kept.end());
+    grade_triangles(graded, kept, input.edge_length, PartSurface(input.mesh, input.part));
+    for (int v = 0; v < result.mesh.V.rows(); ++v) {
+        if (graded.mesh.V.row(v) != result.mesh.V.row(v)) {
+            result.old_vertex[v] = -1;
+        }
+    }
+    result.mesh = std::move(graded.mesh);
+    result.part = std::move(graded.part);
+    result.old_vertex.resize(result.mesh.V.rows(), -1);
+}
+
 } // namespace
 
 Result<Remeshed> remesh_patch(const Divided& divided, const RemeshOptions& options)
@@ -73,6 +105,7 @@ Result<Remeshed> remesh_patch(const Divided& divided, const RemeshOptions& optio
         return tl::unexpected(result.error());
     }
     out.result = std::move(*result);
+    grade(out.result, input);
     return out;
 }
 
