@@ -16,15 +16,13 @@ namespace tapeline {
 namespace {
 
 // fmt writes a double as the shortest text that reads back to the same double, in every locale.
-using Text = fmt::memory_buffer;
+using Text = std::string;
 
 template <class Format, class... Values>
 void put(Text& text, const Format& format, const Values&... values)
 {
     fmt::format_to(std::back_inserter(text), format, values...);
 }
-
-std::string to_string(const Text& text) { return std::string(text.data(), text.size()); }
 
 std::string obj_text(const Mesh& mesh)
 {
@@ -36,7 +34,7 @@ std::string obj_text(const Mesh& mesh)
     for (int t = 0; t < mesh.F.rows(); ++t) {
         put(text, FMT_COMPILE("f {} {} {}\n"), mesh.F(t, 0) + 1, mesh.F(t, 1) + 1, mesh.F(t, 2) + 1);
     }
-    return to_string(text);
+    return text;
 }
 
 /// The vertex and face lines that ASCII PLY and OFF have in common.
@@ -55,7 +53,7 @@ std::string off_text(const Mesh& mesh)
     Text text;
     put(text, FMT_COMPILE("OFF\n{} {} 0\n"), mesh.V.rows(), mesh.F.rows());
     put_lists(text, mesh);
-    return to_string(text);
+    return text;
 }
 
 std::string ply_bytes(const Mesh& mesh, bool ascii)
@@ -67,23 +65,22 @@ std::string ply_bytes(const Mesh& mesh, bool ascii)
         ascii ? "ascii" : "binary_little_endian", mesh.V.rows(), mesh.F.rows());
     if (ascii) {
         put_lists(text, mesh);
-        return to_string(text);
+        return text;
     }
-    std::string bytes = to_string(text);
-    bytes.reserve(bytes.size() + 24 * static_cast<std::size_t>(mesh.V.rows()) +
-                  13 * static_cast<std::size_t>(mesh.F.rows()));
+    text.reserve(text.size() + 24 * static_cast<std::size_t>(mesh.V.rows()) +
+                 13 * static_cast<std::size_t>(mesh.F.rows()));
     for (int v = 0; v < mesh.V.rows(); ++v) {
         for (int axis = 0; axis < 3; ++axis) {
-            store(bytes, mesh.V(v, axis), Endian::little);
+            store(text, mesh.V(v, axis), Endian::little);
         }
     }
     for (int t = 0; t < mesh.F.rows(); ++t) {
-        bytes += '\3';
+        text += '\3';
         for (int k = 0; k < 3; ++k) {
-            store(bytes, mesh.F(t, k), Endian::little);
+            store(text, mesh.F(t, k), Endian::little);
         }
     }
-    return bytes;
+    return text;
 }
 
 std::string stl_text(const Mesh& mesh, const std::string& name)
@@ -100,7 +97,7 @@ std::string stl_text(const Mesh& mesh, const std::string& name)
         put(text, FMT_COMPILE("endloop\nendfacet\n"));
     }
     put(text, FMT_COMPILE("endsolid {}\n"), name);
-    return to_string(text);
+    return text;
 }
 
 std::string stl_bytes(const Mesh& mesh)

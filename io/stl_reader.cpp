@@ -139,7 +139,7 @@ PolygonSoup read_stl_binary(std::string_view content, ImportReport& report)
     if (const std::size_t rest = content.size() - header - count * record; rest > 0) {
         report.warnings.push_back(fmt::format("{} bytes after the last of {} triangles are ignored", rest, count));
     }
-    VertexWelder welder;
+    VertexWelder welder(count / 2); // a closed mesh has half as many vertices as triangles
     PolygonSoup soup;
     soup.corners.reserve(3 * count);
     soup.ends.reserve(count);

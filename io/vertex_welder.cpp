@@ -31,6 +31,11 @@ std::uint64_t hash(const Vec3& p)
 
 } // namespace
 
+VertexWelder::VertexWelder(std::size_t expected_points) : slots_(std::bit_ceil(2 * expected_points + 1024), -1)
+{
+    points_.reserve(expected_points);
+}
+
 std::size_t VertexWelder::slot_of(const Vec3& point) const
 {
     const std::size_t mask = slots_.size() - 1;
@@ -43,7 +48,7 @@ std::size_t VertexWelder::slot_of(const Vec3& point) const
 
 void VertexWelder::grow()
 {
-    slots_.assign(slots_.empty() ? 1024 : 2 * slots_.size(), -1);
+    slots_.assign(2 * slots_.size(), -1);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         slots_[slot_of(points_[i])] = static_cast<int>(i);
     }

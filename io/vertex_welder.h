@@ -12,6 +12,9 @@ namespace tapeline {
 /// +0 are the same. Open addressing on one flat table; linear time.
 class VertexWelder {
 public:
+    /// expected_points: a guess that saves time and need not be right.
+    explicit VertexWelder(std::size_t expected_points = 0);
+
     /// Index of the point, new or known. Coordinates must be finite; throws std::length_error beyond 2^31 - 1 points.
     int index_of(const Vec3& point);
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
-#include <regex>
 
 using namespace tapeline;
 using namespace tapeline::testing;
@@ -22,7 +21,11 @@ ImportedModel read(std::string_view name, std::string_view content, const Import
 
 std::string with_line_ends(const std::string& text, const std::string& line_end)
 {
-    return std::regex_replace(text, std::regex("\n"), line_end);
+    std::string result;
+    for (const char c : text) {
+        result += c == '\n' ? line_end : std::string(1, c);
+    }
+    return result;
 }
 
 /// A number's bytes, lowest first or highest first.
