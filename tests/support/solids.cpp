@@ -246,10 +246,4 @@ Mesh plain_stl(const std::filesystem::path& path)
     return joined(corners);
 }
 
-std::filesystem::path data_folder()
-{
-    const char* folder = std::getenv("TAPELINE_DATA");
-    return folder ? folder : "";
-}
-
 } // namespace tapeline::testing

@@ -32,7 +32,4 @@ Mesh plain_off(const std::filesystem::path& path);
 /// Reads a binary or ASCII STL and joins bit-equal corners; an empty mesh when it cannot.
 Mesh plain_stl(const std::filesystem::path& path);
 
-/// Folder of the models from elsewhere (environment variable TAPELINE_DATA); empty when not set.
-std::filesystem::path data_folder();
-
 } // namespace tapeline::testing
