@@ -1,1 +1,187 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/runner/runner.h"
+
+#include "plugin/runner/guard.h"
+#include "plugin/runner/job_outputs.h"
+#include "plugin/runner/sha256.h"
+
+#include <fmt/format.h>
+
+namespace tapeline {
+
+namespace {
+
+/// The option that a text names, or none for "auto".
+template <class T>
+std::optional<T> named(const std::string& text, std::initializer_list<std::pair<const char*, T>> names)
+{
+    for (const auto& [name, value] : names) {
+        if (text == name) {
+            return value;
+        }
+    }
+    return std::nullopt;
+}
+
+Error unconverged(const MoveResult& move)
+{
+    for (const SolveReport& solve : move.solves) {
+        if (!solve.converged) {
+            return {ErrorKind::not_converged,
+                    fmt::format("the solver did not converge on the {} side: error estimate {:.3g} mm after {} "
+                                "iterations, wanted {:.3g} mm; raise --max-iterations or --solver-tolerance, or give "
+                                "--allow-unconverged",
+                                solve.side, solve.error_estimate_mm, solve.iterations, solve.tolerance_mm)};
+        }
+    }
+    return {ErrorKind::not_converged, "the solver did not converge"};
+}
+
+Result<void> measure(JobOutcome& outcome)
+{
+    const QualityInput input = quality_input(outcome.move, outcome.preparation.target->line);
+    return measure_quality(input).map([&](QualityReport report) {
+        outcome.measures.quality = std::move(report);
+        outcome.measures.has_line = outcome.measures.has_target = outcome.measures.has_rest = true;
+        outcome.measures.has_compressed = !input.compressed_faces.empty();
+    });
+}
+
+void collect_warnings(JobOutcome& outcome)
+{
+    const Preparation& p = outcome.preparation;
+    const MoveResult& move = outcome.move;
+    for (const auto* warnings : {&p.import.warnings, &p.warnings, &p.target->warnings, &p.region.warnings,
+                                 &move.correspondence.warnings, &move.warnings}) {
+        for (const std::string& warning : *warnings) {
+            if (std::ranges::find(outcome.warnings, warning) == outcome.warnings.end()) {
+                outcome.warnings.push_back(warning);
+            }
+        }
+    }
+}
+
+std::string mm(double x) { return fmt::format("{:.4g} mm", x); }
+
+} // namespace
+
+std::string_view version() { return TAPELINE_VERSION; }
+
+MoveOptions move_options(const Job& job)
+{
+    const MoveSettings& s = job.move;
+    MoveOptions options;
+    options.method = named<Method>(s.method, {{"asan-fl", Method::asan_fl},
+                                              {"asan-fl-paper", Method::asan_fl_paper},
+                                              {"asan", Method::asan},
+                                              {"arap", Method::arap}})
+                         .value_or(Method::asan_fl);
+    options.correspondence.mode =
+        job.target.correspondence == "arc-length" ? CorrespondenceMode::arc_length : CorrespondenceMode::projection;
+    options.retraction = named<RetractionMode>(
+        s.retraction, {{"harmonic", RetractionMode::harmonic}, {"planes", RetractionMode::planes}});
+    options.extension_path = s.extension_path == "edges" ? ExtensionPath::edges : ExtensionPath::geodesic;
+    options.extension_target = named<ExtensionTarget>(
+        s.extension_target, {{"tapered", ExtensionTarget::tapered}, {"free", ExtensionTarget::free}});
+    options.stiffness_ratio = s.stiffness_ratio;
+    options.stiff = named<Stiff>(s.stiff, {{"along", Stiff::along}, {"across", Stiff::across}});
+    options.placement =
+        named<Placement>(s.placement, {{"on-surface", Placement::on_surface}, {"off-surface", Placement::off_surface}});
+    options.compressed_side =
+        named<LineSide>(s.compressed_side, {{"left", LineSide::left}, {"right", LineSide::right}});
+    options.crease =
+        named<CreaseRestoration>(s.restore_crease, {{"on", CreaseRestoration::on}, {"off", CreaseRestoration::off}})
+            .value_or(CreaseRestoration::automatic);
+    options.crease_loss = s.crease_loss;
+    options.tolerance_mm = s.solver_tolerance;
+    options.max_iterations = s.max_iterations;
+    options.clamp_rings = s.clamp_rings;
+    return options;
+}
+
+namespace {
+
+Result<JobOutcome> run_steps(const Job& job, const Progress& progress)
+{
+    Stopwatch watch;
+    JobOutcome outcome;
+    if (auto fine = check_outputs(job); !fine) {
+        return tl::unexpected(fine.error());
+    }
+    const Progress moving = progress.part(0.3, 0.9);
+    return prepare(job, watch, progress.part(0.0, 0.3))
+        .and_then([&](Preparation prepared) {
+            outcome.preparation = std::move(prepared);
+            watch.restart();
+            const Preparation& p = outcome.preparation;
+            return move_feature_line(p.model, p.line, p.target->line, p.region, move_options(job), moving);
+        })
+        .and_then([&](MoveResult moved) -> Result<void> {
+            outcome.move = std::move(moved);
+            for (const auto& [stage, seconds] : outcome.move.seconds) {
+                watch.add(stage, seconds);
+            }
+            watch.restart();
+            if (!outcome.move.converged() && !job.move.allow_unconverged) {
+                return tl::unexpected(unconverged(outcome.move));
+            }
+            return progress.report(0.9, "quality") ? Result<void>() : fail(ErrorKind::cancelled, "cancelled");
+        })
+        .and_then([&] { return measure(outcome); })
+        .and_then([&] {
+            watch.lap("quality");
+            return file_sha256(job.input);
+        })
+        .and_then([&](std::string sum) {
+            outcome.input_sha256 = std::move(sum);
+            outcome.gates = evaluate_gates(job.gate, outcome.measures);
+            collect_warnings(outcome);
+            return write_outputs(job, outcome, watch, progress.part(0.93, 1.0));
+        })
+        .map([&] {
+            outcome.seconds = watch.seconds();
+            return std::move(outcome);
+        });
+}
+
+} // namespace
+
+Result<JobOutcome> run_job(const Job& job, const Progress& progress)
+{
+    return guarded([&] { return run_steps(job, progress); });
+}
+
+std::string outcome_table(const JobOutcome& o)
+{
+    const QualityReport& q = o.measures.quality;
+    const PlacementResult& p = o.move.placement;
+    const bool on = p.verdict == Placement::on_surface;
+    const bool compressed = o.measures.has_compressed;
+    const auto change = [](const SectionMeasure& m) {
+        return fmt::format("{}, {}", m.inflections_before, m.inflections_after);
+    };
+    std::vector<std::vector<std::string>> rows = {
+        {"verdict", fmt::format("{} (off fraction {:.3f})", on ? "on surface" : "off surface", p.off_fraction)},
+        {"compressed side", !compressed                      ? "none"
+                            : p.compressed == LineSide::left ? "left"
+                                                             : "right"},
+        {"largest slide", mm(q.slide_max_mm)},
+        {"bulge", compressed ? mm(q.bulge_max_mm) : "-"},
+        {"inflections, compressed side", compressed ? change(q.compressed_sections) : "-"},
+        {fmt::format("inflections, {} side", compressed ? "tension" : "either"), change(q.tension_sections)},
+        {"crease angle before, after", fmt::format("{:.3f}, {:.3f} deg", q.crease_before, q.crease_after)},
+        {"line error", fmt::format("{:.2e} mm", q.line_error_max_mm)},
+        {"squash", fmt::format("{:.3f}", q.squash)},
+        {"flipped triangles", std::to_string(q.flipped)},
+        {"region",
+         fmt::format("{} vertices, {} triangles", o.move.region.vertices.size(), o.move.region.faces.size())}};
+    double total = 0;
+    for (const auto& [stage, seconds] : o.seconds) {
+        rows.push_back({fmt::format("seconds, {}", stage), fmt::format("{:.2f}", seconds)});
+        total += seconds;
+    }
+    rows.push_back({"seconds, total", fmt::format("{:.2f}", total)});
+    return text_table(rows);
+}
+
+} // namespace tapeline

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/runner/preparation.h"
+
+#include "kernel/correspondence.h"
+#include "kernel/remesh.h"
+#include "plugin/runner/region_choice.h"
+#include "plugin/runner/remeshing.h"
+#include "plugin/runner/vertex_list.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace tapeline {
+
+namespace {
+
+constexpr double sliver_angle = 5; ///< below this smallest angle the region is called unfit [deg]
+
+/// The steps of a preparation; each returns whether it worked and leaves its part in `made`.
+class Preparer {
+public:
+    Preparer(const Job& job, Stopwatch& watch, const Progress& progress) : job_(job), watch_(watch), progress_(progress)
+    {
+    }
+
+    Result<void> read()
+    {
+        return stage("import", 0.0).and_then([&] {
+            return read_model(job_.input, import_options(job_.import)).map([&](ImportedModel imported) {
+                made.model = std::move(imported.model);
+                made.import = std::move(imported.report);
+            });
+        });
+    }
+
+    Result<void> find_line()
+    {
+        return stage("lines", 0.2).and_then([&] {
+            const std::vector<FeatureLine> lines = find_feature_lines(made.model, line_options(job_.lines));
+            return choose_line(made.model, lines, job_.lines.line)
+                .and_then([&](FeatureLine line) {
+                    made.line = std::move(line);
+                    return region_options(made.model, lines, job_.region);
+                })
+                .map([&](RegionOptions options) { region_options_ = std::move(options); });
+        });
+    }
+
+    Result<void> find_target()
+    {
+        return stage("target", 0.3).and_then([&] {
+            return make_target(made.model, made.line, job_.target).map([&](TargetChoice choice) {
+                made.target = std::move(choice);
+            });
+        });
+    }
+
+    Result<void> remesh()
+    {
+        const bool is_cad = !made.model.cad_face.empty();
+        const bool wanted = job_.remesh.remesh == "on" || (job_.remesh.remesh == "auto" && is_cad);
+        if (!wanted) {
+            return {};
+        }
+        return stage("remesh", 0.4).and_then([&] { return faces_to_remesh(); }).and_then([&](std::vector<int> faces) {
+            return remesh_faces(faces);
+        });
+    }
+
+    Result<void> find_region()
+    {
+        return stage("region", 0.8).and_then([&] { return region_around_line(); }).map([&](Region region) {
+            made.region = std::move(region);
+            made.remesh.min_angle_after = min_angle(made.model.mesh, made.region.faces);
+            warn_about_slivers();
+        });
+    }
+
+    Preparation finish()
+    {
+        watch_.lap(stage_);
+        return std::move(made);
+    }
+
+    Preparation made;
+
+private:
+    Result<void> stage(const std::string& name, double fraction)
+    {
+        if (!stage_.empty()) {
+            watch_.lap(stage_);
+        }
+        stage_ = name;
+        if (!progress_.report(fraction, name)) {
+            return fail(ErrorKind::cancelled, "cancelled");
+        }
+        return {};
+    }
+
+    CorrespondenceOptions correspondence_options() const
+    {
+        CorrespondenceOptions options;
+        options.mode = job_.target.correspondence == "arc-length" ? CorrespondenceMode::arc_length
+                                                                  : CorrespondenceMode::projection;
+        return options;
+    }
+
+    Result<Correspondence> matched() const
+    {
+        return correspond(made.model, made.line, made.target->line, correspondence_options());
+    }
+
+    Result<Region> region_around_line()
+    {
+        return matched().and_then(
+            [&](const Correspondence& map) { return make_region(made.model, map.line, map.targets, region_options_); });
+    }
+
+    /// A generous part around the line and its target: the region itself is found again on the new triangles.
+    Result<std::vector<int>> faces_to_remesh()
+    {
+        return matched().and_then([&](const Correspondence& map) -> Result<std::vector<int>> {
+            const bool by_distance =
+                region_options_.cad_faces.empty() && region_options_.bounding_lines.empty() && !region_options_.box;
+            if (!by_distance) {
+                return make_region(made.model, map.line, map.targets, region_options_).map([](const Region& region) {
+                    return region.faces;
+                });
+            }
+            const double distance = region_options_.distance_mm > 0
+                                        ? region_options_.distance_mm
+                                        : automatic_roi_distance(map.line, map.displacements);
+            std::vector<Vec3> points = line_points(made.model.mesh, map.line);
+            points.insert(points.end(), map.targets.begin(), map.targets.end());
+            return faces_near(made.model.mesh, map.line, points, 1.05 * distance);
+        });
+    }
+
+    Result<void> remesh_faces(const std::vector<int>& faces)
+    {
+        const double max_edge =
+            job_.remesh.max_edge > 0 ? job_.remesh.max_edge : automatic_max_edge(made.model.mesh, faces, made.line);
+        const double crease = std::min(job_.lines.crease_angle_low, job_.lines.crease_angle);
+        Result<Remeshed> again = remesh_around(made.model, faces, made.line, region_options_, max_edge, crease);
+        if (!again) {
+            return tl::unexpected(again.error());
+        }
+        made.remesh = {true,
+                       max_edge,
+                       again->min_angle_before,
+                       again->min_angle_after,
+                       static_cast<int>(again->model.mesh.V.rows() - made.model.mesh.V.rows()),
+                       again->projected};
+        std::ranges::move(again->warnings, std::back_inserter(made.warnings));
+        made.model = std::move(again->model);
+        made.line = std::move(again->line);
+        region_options_ = std::move(again->options);
+        // The remeshed line and surface lie closer to the exact ones than the tessellation, so the target made from
+        // them does too.
+        return find_target_again();
+    }
+
+    Result<void> find_target_again()
+    {
+        return make_target(made.model, made.line, job_.target).map([&](TargetChoice choice) {
+            made.target = std::move(choice);
+        });
+    }
+
+    void warn_about_slivers()
+    {
+        if (!made.remesh.applied) {
+            made.remesh.min_angle_before = made.remesh.min_angle_after;
+        }
+        if (made.remesh.min_angle_after < sliver_angle && !made.remesh.applied) {
+            made.warnings.push_back(fmt::format("the region's triangles are slivers (smallest angle {:.2f} deg): "
+                                                "--remesh on would give it even ones",
+                                                made.remesh.min_angle_after));
+        }
+    }
+
+    const Job& job_;
+    Stopwatch& watch_;
+    const Progress& progress_;
+    std::string stage_;
+    RegionOptions region_options_;
+};
+
+} // namespace
+
+double unit_length_mm(const std::string& unit)
+{
+    return unit == "cm" ? 10 : unit == "m" ? 1000 : unit == "in" ? 25.4 : unit == "ft" ? 304.8 : 1;
+}
+
+ImportOptions import_options(const ImportSettings& settings)
+{
+    ImportOptions options;
+    options.linear_deflection_mm = settings.linear_deflection;
+    options.angular_deflection = settings.angular_deflection;
+    options.sew_tolerance_mm = settings.sew_tolerance;
+    options.units_mm = unit_length_mm(settings.units);
+    return options;
+}
+
+Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& progress)
+{
+    if (!changes_line(job.target)) {
+        return fail(ErrorKind::usage, "no goal is given for the line: give --target FILE, --slide MM or --edit FILE");
+    }
+    if (const auto chosen = check_line_chosen(job.lines.line); !chosen) {
+        return tl::unexpected(chosen.error());
+    }
+    Preparer preparer(job, watch, progress);
+    const Result<void> done = preparer.read()
+                                  .and_then([&] { return preparer.find_line(); })
+                                  .and_then([&] { return preparer.find_target(); })
+                                  .and_then([&] { return preparer.remesh(); })
+                                  .and_then([&] { return preparer.find_region(); });
+    if (!done) {
+        return tl::unexpected(done.error());
+    }
+    return preparer.finish();
+}
+
+} // namespace tapeline

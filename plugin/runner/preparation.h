@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/model_file.h"
+#include "kernel/progress.h"
+#include "kernel/region.h"
+#include "plugin/runner/stopwatch.h"
+#include "plugin/runner/target_choice.h"
+
+#include <optional>
+
+namespace tapeline {
+
+/// What remeshing did.
+struct RemeshInfo {
+    bool applied = false;
+    double max_edge_mm = 0;
+    double min_angle_before = 0; ///< over the region [deg]
+    double min_angle_after = 0;
+    int added_vertices = 0; ///< new ones minus dropped ones
+    int projected = 0;
+};
+
+/// Everything that a move needs, from the files that the job names.
+struct Preparation {
+    ImportReport import;
+    Model model;                        ///< as imported, or remeshed around the line
+    FeatureLine line;                   ///< on `model`
+    std::optional<TargetChoice> target; ///< always there after `prepare`
+    Region region;                      ///< on `model`
+    RemeshInfo remesh;
+    std::vector<std::string> warnings;
+};
+
+/// How to read the job's model. Fails (usage) on an unknown unit.
+ImportOptions import_options(const ImportSettings& settings);
+
+/// Length of one unit of mesh files [mm].
+double unit_length_mm(const std::string& unit);
+
+/// Reads the model, finds and picks the line, makes the target, remeshes where asked or needed, and chooses the region.
+/// Stages that were run are added to `watch`.
+Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& progress);
+
+} // namespace tapeline

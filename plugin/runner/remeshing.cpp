@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/runner/remeshing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tapeline {
+
+namespace {
+
+constexpr double vertex_limit = 50000;
+
+Vec3 row(const Mesh& mesh, int v) { return mesh.V.row(v).transpose(); }
+
+/// A chain that begins with `first` and goes on with `rest`.
+std::vector<int> chain(int first, const std::vector<int>& rest)
+{
+    std::vector<int> vertices = {first};
+    vertices.insert(vertices.end(), rest.begin(), rest.end());
+    return vertices;
+}
+
+std::vector<int> without_first(const std::vector<int>& vertices)
+{
+    return {vertices.begin() + (vertices.empty() ? 0 : 1), vertices.end()};
+}
+
+/// The chains that must survive: the line, what goes on before and behind it, and the bounding lines.
+std::vector<std::vector<int>> chains_to_keep(const FeatureLine& line, const RegionOptions& options)
+{
+    std::vector<std::vector<int>> chains = {line.vertices, chain(line.vertices.front(), line.before),
+                                            chain(line.vertices.back(), line.after)};
+    if (line.closed) {
+        chains[0].push_back(line.vertices.front());
+    }
+    chains.insert(chains.end(), options.bounding_lines.begin(), options.bounding_lines.end());
+    return chains;
+}
+
+int nearest_vertex(const RemeshResult& remeshed, const Vec3& p)
+{
+    int best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int t : remeshed.region_faces) {
+        for (const int v : remeshed.model.mesh.F.row(t)) {
+            const double distance = (row(remeshed.model.mesh, v) - p).squaredNorm();
+            if (distance < least) {
+                least = distance;
+                best = v;
+            }
+        }
+    }
+    return best;
+}
+
+std::vector<int> in_new_numbers(const Model& model, const std::vector<int>& vertices, const RemeshResult& remeshed)
+{
+    std::vector<int> kept(model.mesh.V.rows(), -1);
+    for (std::size_t v = 0; v < remeshed.old_vertex.size(); ++v) {
+        if (remeshed.old_vertex[v] >= 0) {
+            kept[remeshed.old_vertex[v]] = static_cast<int>(v);
+        }
+    }
+    std::vector<int> found;
+    for (const int v : vertices) {
+        found.push_back(kept[v] >= 0 ? kept[v] : nearest_vertex(remeshed, row(model.mesh, v)));
+    }
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+} // namespace
+
+double automatic_max_edge(const Mesh& mesh, const std::vector<int>& faces, const FeatureLine& line)
+{
+    double area = 0;
+    for (const int t : faces) {
+        area += triangle_area(mesh, t);
+    }
+    // An even triangle of edge h has the area √3/4 h², and there are two triangles to a vertex.
+    return std::max(line.length_mm / 60, std::sqrt(area / (vertex_limit * std::sqrt(3.0) / 2)));
+}
+
+Result<Remeshed> remesh_around(const Model& model, const std::vector<int>& faces, const FeatureLine& line,
+                               const RegionOptions& options, double max_edge, double crease_angle)
+{
+    RemeshOptions remesh;
+    remesh.max_edge_mm = max_edge;
+    remesh.crease_angle = crease_angle;
+    remesh.keep_lines = chains_to_keep(line, options);
+    Result<RemeshResult> result = remesh_region(model, faces, remesh);
+    if (!result) {
+        return tl::unexpected(result.error());
+    }
+    const auto& kept = result->kept_lines;
+    Result<FeatureLine> again = line_through(result->model, kept[0]);
+    if (!again) {
+        return tl::unexpected(again.error());
+    }
+    Remeshed made{{},
+                  std::move(*again),
+                  options,
+                  result->min_angle_before,
+                  result->min_angle_after,
+                  result->projected,
+                  std::move(result->warnings)};
+    made.line.id = line.id;
+    made.line.before = without_first(kept[1]);
+    made.line.after = without_first(kept[2]);
+    made.options.bounding_lines.assign(kept.begin() + 3, kept.end());
+    made.options.fixed_vertices = in_new_numbers(model, options.fixed_vertices, *result);
+    made.model = std::move(result->model);
+    return made;
+}
+
+} // namespace tapeline

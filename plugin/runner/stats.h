@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugin/runner/runner.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace tapeline {
+
+/// Statistics of a job as JSON with stable keys; lengths mm, angles deg, times s, indices in the result mesh.
+std::string stats_text(const Job& job, const JobOutcome& outcome);
+
+/// What was found while reading a model.
+nlohmann::ordered_json import_json(const ImportReport& report);
+/// The same as a table for people; zero counts are left out.
+std::string import_table(const ImportReport& report);
+
+} // namespace tapeline

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/runner/target_choice.h"
+
+#include "bspline/edit.h"
+#include "io/target_file.h"
+
+namespace tapeline {
+
+namespace {
+
+Result<TargetChoice> first_line(const Model& model, const FeatureLine& line, const TargetSettings& settings)
+{
+    if (!settings.target.empty()) {
+        return read_target(settings.target).map([](TargetLine read) {
+            return TargetChoice{std::move(read), "file", 0, {}};
+        });
+    }
+    FitOptions options;
+    options.control_points = settings.control_points;
+    options.tolerance_mm = settings.tolerance;
+    FitReport report;
+    return fit_polyline(line_points(model.mesh, line), line.closed, options, &report).map([&](TargetLine fitted) {
+        return TargetChoice{std::move(fitted), "fit", report.max_error_mm, {}};
+    });
+}
+
+/// One distance holds everywhere; several are spread evenly over the line.
+SlideLaw slide_law(const std::vector<double>& distances)
+{
+    SlideLaw law;
+    const double last = static_cast<double>(distances.size()) - 1;
+    for (std::size_t k = 0; k < distances.size(); ++k) {
+        law.values.emplace_back(last > 0 ? static_cast<double>(k) / last : 0.0, distances[k]);
+    }
+    return law;
+}
+
+} // namespace
+
+std::vector<Vec3> line_points(const Mesh& mesh, const FeatureLine& line)
+{
+    std::vector<Vec3> points;
+    points.reserve(line.vertices.size());
+    for (const int v : line.vertices) {
+        points.emplace_back(mesh.V.row(v).transpose());
+    }
+    return points;
+}
+
+bool changes_line(const TargetSettings& settings)
+{
+    return !settings.target.empty() || !settings.edit.empty() || !settings.slide.empty();
+}
+
+Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, const TargetSettings& settings)
+{
+    Result<TargetChoice> choice = first_line(model, line, settings);
+    const auto change = [&](auto&& step) {
+        choice = std::move(choice).and_then([&](TargetChoice made) -> Result<TargetChoice> {
+            return step(made.line).map([&](TargetLine changed) {
+                made.line = std::move(changed);
+                return made;
+            });
+        });
+    };
+    if (!settings.edit.empty()) {
+        change([&](const TargetLine& made) {
+            return read_edits(settings.edit).and_then([&](const std::vector<ControlPointEdit>& edits) {
+                return move_control_points(made, edits);
+            });
+        });
+    }
+    if (!settings.slide.empty()) {
+        change([&](const TargetLine& made) {
+            return slide_on_surface(made, model.mesh, slide_law(settings.slide), settings.tolerance);
+        });
+    }
+    if (settings.fair) {
+        change([&](const TargetLine& made) {
+            return fair(made, settings.fair_limit > 0 ? settings.fair_limit : 1e-3 * made.length());
+        });
+    }
+    if (settings.on_surface) {
+        change([&](const TargetLine& made) { return lay_on_surface(made, model.mesh, settings.tolerance); });
+    }
+    return choice;
+}
+
+} // namespace tapeline
