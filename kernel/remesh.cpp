@@ -24,8 +24,8 @@ Result<void> check_input(const Model& model, const Topology& topology, const std
     }
     for (const std::vector<int>& line : options.keep_lines) {
         for (size_t i = 0; i < line.size(); ++i) {
-            const bool joined = line.size() > 1 && topology.find_edge(line[i], line[i > 0 ? i - 1 : 1]) >= 0;
-            if (!joined) {
+            // A single vertex has no edge to keep: what goes on behind a line that ends there.
+            if (line.size() > 1 && topology.find_edge(line[i], line[i > 0 ? i - 1 : 1]) < 0) {
                 return fail(ErrorKind::usage, fmt::format("vertex {} of a line to be kept is not joined to its "
                                                           "neighbour in the line by a mesh edge",
                                                           line[i]));
