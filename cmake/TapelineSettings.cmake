@@ -11,7 +11,12 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+  # Without this, ccache would never find a file that uses a precompiled header again.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros;${CCACHE_PROGRAM}")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess)
+  endif()
 endif()
 
 # Contracted multiply-adds would make results depend on the processor.
@@ -21,11 +26,17 @@ add_library(tapeline_warnings INTERFACE)
 target_compile_options(tapeline_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                        $<$<BOOL:${TAPELINE_WERROR}>:-Werror>)
 
-# tapeline_library(NAME): a static library of all .cpp files of the current folder.
+# Headers that nearly every source reads; parsing them once a target saves about a third of the build.
+set(TAPELINE_COMMON_HEADERS <algorithm> <filesystem> <functional> <string> <vector> <Eigen/Core> <Eigen/Geometry>
+                            <fmt/format.h> <tl/expected.hpp>)
+
+# tapeline_library(NAME [HEADER...]): a static library of all .cpp files of the current folder. Further headers are
+# precompiled with the common ones.
 function(tapeline_library name)
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                             $<INSTALL_INTERFACE:include/tapeline>)
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:tapeline_warnings>)
+  target_precompile_headers(${name} PRIVATE ${TAPELINE_COMMON_HEADERS} ${ARGN})
 endfunction()
