@@ -3,6 +3,7 @@
 #include "io/model_file.h"
 
 #include <cstdlib>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -28,7 +29,7 @@ FileFormat sniff(const std::string& text, const std::string& ending = {})
 
 TEST(FileFormat, IsToldFromTheContentWhateverTheName)
 {
-    const std::string iges_start = std::string(72, ' ') + "S0000001\r\n";
+    const std::string iges_start = fmt::format("{:72}S0000001\r\n", "");
     for (const std::string ending : {"", ".stl", ".obj", ".step"}) {
         EXPECT_EQ(sniff("ISO-10303-21;\nHEADER;", ending), FileFormat::step);
         EXPECT_EQ(sniff("\xEF\xBB\xBF /* a */\n/* b */ ISO-10303-21;", ending), FileFormat::step);

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
@@ -191,7 +192,7 @@ TEST(OurModels, ComeOutOfTheirProgramByteForByte)
 {
     const ScratchFolder folder;
     for (const char* run : {"one", "two"}) {
-        const std::string command = std::string(TAPELINE_MAKE_MODELS) + " " + (folder / run).string();
+        const std::string command = fmt::format("{} {}", TAPELINE_MAKE_MODELS, (folder / run).string());
         ASSERT_EQ(std::system(command.c_str()), 0);
     }
     for (const char* name : {"hood.step", "wheel_arch.step", "pawn.step", "bracket.step", "panel.step"}) {

@@ -51,10 +51,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Panel{60, 40, Diagonals::alternating, 75}, Panel{60, 40, Diagonals::alternating, 100},
                       Panel{60, 40, Diagonals::random, 50}, Panel{60, 40, Diagonals::random, 100},
                       Panel{240, 160, Diagonals::alternating, 100}, Panel{240, 160, Diagonals::random, 100}),
-    [](const auto& info) {
-        return fmt::format("{}x{}{}Slide{}", info.param.nx, info.param.ny,
-                           info.param.diagonals == Diagonals::random ? "Irregular" : "Regular",
-                           static_cast<int>(info.param.slide));
+    [](const auto& entry) {
+        return fmt::format("{}x{}{}Slide{}", entry.param.nx, entry.param.ny,
+                           entry.param.diagonals == Diagonals::random ? "Irregular" : "Regular",
+                           static_cast<int>(entry.param.slide));
     });
 
 TEST(CreaseSlideWithPlainArap, BulgesSoThatTheMeasureSeesIt)
