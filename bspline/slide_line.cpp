@@ -42,21 +42,34 @@ struct SlideTask {
         const MeshFoot foot = surface.closest(result.from);
         result.off_surface = foot.distance;
         result.to = foot.point;
-        if (result.wanted == 0 || foot.face < 0) {
+        if (foot.face < 0) {
             return result;
         }
-        const auto start = spline::start_beside(mesh, topology, foot, result.tangent, result.wanted > 0);
-        if (!start) {
-            result.directed = false;
-            return result;
+        for (const bool left : {result.wanted >= 0, result.wanted < 0}) {
+            const auto start = spline::start_beside(mesh, topology, foot, result.tangent, left);
+            if (!start) {
+                result.directed = result.wanted == 0;
+                return result;
+            }
+            // The line may pass a polygonal crease at a small distance; measured from its foot there, the slid line
+            // would repeat the polygon's corners.
+            const double beside = (result.from - foot.point).dot(start->direction);
+            const double distance = (left ? result.wanted : -result.wanted) + beside;
+            if (distance > 0) {
+                go(result, *start, distance, end);
+                return result;
+            }
         }
-        const double distance = std::abs(result.wanted);
-        const auto bordering = end ? spline::walk_border(mesh, topology, *start, distance) : std::nullopt;
-        const spline::WalkEnd arrived = bordering ? *bordering : spline::walk(mesh, topology, *start, distance);
+        return result;
+    }
+
+    void go(Slid& result, const spline::WalkStart& start, double distance, bool end) const
+    {
+        const auto bordering = end ? spline::walk_border(mesh, topology, start, distance) : std::nullopt;
+        const spline::WalkEnd arrived = bordering ? *bordering : spline::walk(mesh, topology, start, distance);
         result.to = arrived.point;
         result.missing = arrived.missing;
         result.along_border = arrived.along_border;
-        return result;
     }
 };
 
@@ -74,7 +87,8 @@ Result<void> check(const Slid& slid, double length)
     if (!slid.directed) {
         return rejected("it stands upright on the surface there, so there is no left or right");
     }
-    if (slid.missing > 1e-6 * std::abs(slid.wanted)) {
+    // What a sample lies beside the model's border is no slide.
+    if (slid.missing > 1e-6 * std::abs(slid.wanted) + slid.off_surface) {
         return rejected(fmt::format("the model's border is {:.6g} mm away, {:.6g} mm are asked for; slide less there",
                                     std::abs(slid.wanted) - slid.missing, std::abs(slid.wanted)));
     }
@@ -100,8 +114,8 @@ Result<void> check_order(const Slid& a, const Slid& b)
     }
     return fail(
         ErrorKind::rejected,
-        fmt::format("the slid line folds over itself at ({:.6g}, {:.6g}, {:.6g}): a slide of {:.6g} mm there is "
-                    "more than the line's radius of curvature, or its law changes too quickly",
+        fmt::format("the slid line folds over itself at ({:.6g}, {:.6g}, {:.6g}): a slide of {:.6g} mm is more than "
+                    "the line's radius of curvature there, or reaches a sharp edge; slide less",
                     b.to.x(), b.to.y(), b.to.z(), b.wanted));
 }
 

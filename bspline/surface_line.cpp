@@ -60,8 +60,8 @@ Result<TargetLine> fit_within(const PlacePoints& place, bool closed, int samples
     }
     return fail(
         ErrorKind::rejected,
-        fmt::format("the line strays {:.6g} mm from the model between its points, more than {:.6g} mm: raise the "
-                    "tolerance, or use a finer mesh",
+        fmt::format("the line strays {:.6g} mm from the model between its points, more than {:.6g} mm, as where it "
+                    "crosses a sharp edge: raise the tolerance, or use a finer mesh",
                     off, tolerance_mm));
 }
 
