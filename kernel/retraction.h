@@ -38,11 +38,13 @@ struct RetractionResult {
 /// Free borders keep their shape; from where the line ends on one, its vertices slide along it in proportion to arc
 /// length.
 ///
-/// `harmonic`: the displacement vectors are the orthotropic harmonic extension of those values (zero on the rim), and
-/// each vertex goes to the surface point closest to P + u, on the sheet that the straightest path along u leads to.
+/// `harmonic`: the displacement is the orthotropic harmonic extension of those values (zero on the rim), in components
+/// of frames that are carried over the side in parallel, so that it follows a side that bends round (on a flat side:
+/// the plain components). Each vertex goes to the surface point closest to P + u, or along the straightest path where
+/// the surface turns away from P + u.
 /// Beyond method.md A2, up to three further rounds divide each triangle's stiffness by what compression left of it, so
 /// that compression is shared more evenly (crease panel, 100 mm: smallest altitude on the line 0.66 instead of 0.60).
-/// If triangles flip, all is tried again with the square root of the stiffness ratio and isotropic, and at last the
+/// If triangles flip, all is tried again in fixed components, with the square root of the stiffness ratio and isotropic, and at last the
 /// displacement is averaged around the folds; the attempt with fewest flips, then least compression, is returned.
 /// `flipped` > 0 then means: the slide is too long for the side's width.
 ///

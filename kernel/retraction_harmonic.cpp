@@ -14,8 +14,11 @@ constexpr int smoothing_passes = 30;
 /// Compression below this counts as this, so that one spoilt triangle does not stiffen without bound.
 constexpr double least_compression = 0.05;
 
-/// Displacement of every vertex: the harmonic extension of what the line, the free borders and the rim do.
-Eigen::MatrixXd extend(const RetractionTask& task, const std::vector<TriangleElement>& elements)
+using Frames = std::vector<Eigen::Matrix3d>;
+
+/// n×6, per vertex its move in space and its arc along the surface: the harmonic extension, in the components of the
+/// frames, of what the line, the free borders and the rim do.
+Eigen::MatrixXd extend(const RetractionTask& task, const std::vector<TriangleElement>& elements, const Frames& frames)
 {
     const Mesh& inner = task.inner();
     std::vector<int> constrained;
@@ -24,22 +27,28 @@ Eigen::MatrixXd extend(const RetractionTask& task, const std::vector<TriangleEle
             constrained.push_back(v);
         }
     }
-    Eigen::MatrixXd values(static_cast<Eigen::Index>(constrained.size()), 3);
+    Eigen::MatrixXd values(static_cast<Eigen::Index>(constrained.size()), 6);
     for (size_t i = 0; i < constrained.size(); ++i) {
         const int v = constrained[i], entry = task.line_entry(v);
-        values.row(static_cast<Eigen::Index>(i)) =
-            entry >= 0 ? task.moves()[entry].transpose() : (task.start().row(v) - inner.V.row(v)).eval();
+        const Vec3 shift = task.start().row(v) - inner.V.row(v);
+        const Vec3 u = entry >= 0 ? task.moves()[entry] : shift, arc = entry >= 0 ? task.arcs()[entry] : shift;
+        values.row(static_cast<Eigen::Index>(i)) << u.transpose() * frames[v], arc.transpose() * frames[v];
     }
-    return harmonic_extension(stiffness_matrix(inner, elements), constrained, values);
+    Eigen::MatrixXd u = harmonic_extension(stiffness_matrix(inner, elements), constrained, values);
+    for (int v = 0; v < u.rows(); ++v) {
+        u.row(v).head<3>() *= frames[v].transpose();
+        u.row(v).tail<3>() *= frames[v].transpose();
+    }
+    return u;
 }
 
 void place_all(const RetractionTask& task, const Eigen::MatrixXd& u, const std::vector<int>& vertices, Positions& V)
 {
     parallel_for(static_cast<int>(vertices.size()), [&](int i) {
         const int v = vertices[i];
-        const Vec3 move = u.row(v);
-        if (!move.isZero(0)) {
-            V.row(v) = task.place(v, move);
+        const Vec3 move = u.row(v).head<3>(), arc = u.row(v).tail<3>();
+        if (!move.isZero(0) || !arc.isZero(0)) {
+            V.row(v) = task.place(v, move, arc);
         }
     });
 }
@@ -119,14 +128,14 @@ struct Attempt {
 /// Extends, places, and equalises: the linear extension spreads displacement evenly but not compression, which is worst
 /// where the line turns most (the material shears there as well). Each round divides every triangle's stiffness by what
 /// is left of its length, so that the strongly compressed ones pass the compression on.
-Attempt attempt(const RetractionTask& task, const Material& material)
+Attempt attempt(const RetractionTask& task, const Material& material, const Frames& frames)
 {
     const Mesh& inner = task.inner();
     std::vector<TriangleElement> elements = triangle_elements(inner, material);
     const std::vector<int> vertices = free_vertices(task);
     std::optional<Attempt> best;
     for (int round = 0; round <= equalizing_rounds; ++round) {
-        Attempt next{extend(task, elements), task.start(), {}, {}};
+        Attempt next{extend(task, elements, frames), task.start(), {}, {}};
         place_all(task, next.u, vertices, next.V);
         next.folds = find_folds(inner, next.V);
         next.left = compressions(inner, elements, next.V, next.folds);
@@ -150,7 +159,7 @@ Attempt smoothed(const RetractionTask& task, const Attempt& folded)
         const std::vector<int> vertices = patch(task, current.folds.flipped, 2);
         const Eigen::MatrixXd before = current.u;
         for (const int v : vertices) {
-            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+            Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(before.cols());
             const auto around = task.topology().vertex_edges(v);
             for (const int e : around) {
                 sum += before.row(task.topology().other_end(e, v));
@@ -171,19 +180,25 @@ Attempt smoothed(const RetractionTask& task, const Attempt& folded)
 
 Positions retract_harmonic(const RetractionTask& task, const Material& material)
 {
-    Attempt best = attempt(task, material);
-    // A softer fibre couples neighbours more: it spreads a fold. Isotropic last, being the worst elsewhere (A2).
-    Material softer = material;
-    for (int i = 0; i < 2 && !best.folds.flipped.empty() && softer.stiffness_ratio > 1; ++i) {
-        softer.stiffness_ratio = i == 0 ? std::max(1.0, std::sqrt(softer.stiffness_ratio)) : 1;
-        if (Attempt next = attempt(task, softer); next.better_than(best)) {
+    const Frames frames = parallel_frames(task);
+    Attempt best = attempt(task, material, frames);
+    const auto try_again = [&](const Material& other_material, const Frames& other_frames) {
+        if (best.folds.flipped.empty()) {
+            return;
+        }
+        if (Attempt next = attempt(task, other_material, other_frames); next.better_than(best)) {
             best = std::move(next);
         }
-    }
-    if (!best.folds.flipped.empty()) {
-        best = smoothed(task, best);
-    }
-    return best.V;
+    };
+    // Frames carried over a surface that closes round itself must part somewhere.
+    try_again(material, Frames(frames.size(), Eigen::Matrix3d::Identity()));
+    // A softer fibre couples neighbours more: it spreads a fold. Isotropic last, being the worst elsewhere (A2).
+    Material softer = material;
+    softer.stiffness_ratio = std::max(1.0, std::sqrt(material.stiffness_ratio));
+    try_again(softer, frames);
+    softer.stiffness_ratio = 1;
+    try_again(softer, frames);
+    return best.folds.flipped.empty() ? best.V : smoothed(task, best).V;
 }
 
 } // namespace tapeline

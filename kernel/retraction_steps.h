@@ -20,6 +20,7 @@ public:
     const Mesh& inner() const { return inner_; }
     const Topology& topology() const { return topology_; }
     Vec3 position(int v) const { return inner_.V.row(v); }
+    const Positions& normals() const { return normals_; }
     const std::vector<int>& line() const { return side_.line; }
     bool closed() const { return closed_; }
 
@@ -38,17 +39,28 @@ public:
     /// slide along them, in proportion to arc length from the line's end (or not, where the line does not end there).
     const Positions& start() const { return start_; }
 
-    /// The place on the surface for vertex v moved by u: the surface point closest to P + u. On folded sides that point
-    /// may lie on another sheet; so it is compared with the end of the straightest path from P along u, and where the
-    /// two are apart, the point found by walking downhill from the path's end is taken, unless that one misses P + u
-    /// by more than a quarter of |u| beyond the closest point's distance.
-    Vec3 place(int v, const Vec3& u) const;
+    /// Per line entry the tangent vector at its vertex along which the straightest path ends at the vertex's final place
+    /// (by shooting; the move itself where no such path is found) [mm].
+    const std::vector<Vec3>& arcs() const { return arcs_; }
+
+    /// The place on the surface for vertex v that moves by `u` in space, or by the tangent vector `arc` along the
+    /// surface. Where the surface turns by less than 15° on the way: the surface point closest to P + u. (On folded
+    /// sides that point may lie on another sheet; where it is not next to the path's end, the point found by walking
+    /// downhill from there is taken, unless it misses P + u by more than a quarter of |u| beyond the closest point's
+    /// distance; then the point over or under P + u along the surface's smooth normal.) Where it turns by more than 30°, P + u leaves the surface: the end of the straightest path along
+    /// `arc`. A blend of both, laid on the surface, in between.
+    Vec3 place(int v, const Vec3& u, const Vec3& arc) const;
 
 private:
     void find_moves(const std::vector<Vec3>& displacements);
     void place_line();
     void place_guided(const std::vector<Vec3>& displacements);
     void slide_borders();
+    void find_arcs();
+    Vec3 arc_to(int v, const Vec3& u, const Vec3& goal) const;
+    Vec3 normal_at(int face, const Vec3& barycentric) const;
+    Vec3 along_normal(int face, const Vec3& foot, const Vec3& wanted) const;
+    Vec3 closest_from(int face, const Vec3& wanted, const Vec3& u) const;
     std::vector<int> border_chain(int from, int next, std::vector<char>& seen) const;
     void slide_chain(const std::vector<int>& chain);
 
@@ -59,8 +71,8 @@ private:
     bool closed_ = false;
     std::vector<int> entry_;
     std::vector<char> free_;
-    std::vector<Vec3> moves_;
-    Positions start_;
+    std::vector<Vec3> moves_, arcs_;
+    Positions normals_, start_;
 };
 
 /// What became of the side's triangles.
@@ -70,6 +82,13 @@ struct FoldReport {
 };
 
 FoldReport find_folds(const Mesh& inner, const Positions& V);
+
+/// Per vertex a frame (columns: tangent, tangent, normal) that is carried over the surface from the line as parallel as
+/// the surface allows: components in these frames can be interpolated where the side turns, as if it were unrolled. The
+/// first axis minimises the Dirichlet energy of a tangent field under the connection of the triangles (corner tangent
+/// planes turned into the triangle's by the smallest rotation; as in the vector heat method, Sharp et al. 2019), given
+/// as the mean move's tangential part at the line. All frames are equal on a flat side.
+std::vector<Eigen::Matrix3d> parallel_frames(const RetractionTask& task);
 
 /// Slid positions by the orthotropic harmonic extension, repaired where triangles flip.
 Positions retract_harmonic(const RetractionTask& task, const Material& material);
