@@ -4,6 +4,7 @@
 #include "io/ply_header.h"
 #include "io/text_scanner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -64,7 +65,7 @@ public:
         for (const auto& property : element.properties) {
             row += size_of(property.list ? property.count_type : property.type);
         }
-        return bytes_left() / row;
+        return bytes_left() / std::max<std::size_t>(row, 1);
     }
     void begin_row() {}
     void end_row() {}

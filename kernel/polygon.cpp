@@ -43,7 +43,7 @@ std::vector<int> without_repeats(std::span<const int> polygon)
 Vec3 newell_normal(std::span<const Vec3> points, std::span<const int> polygon)
 {
     Vec3 sum = Vec3::Zero();
-    const Vec3 origin = points[polygon[0]];
+    const Vec3& origin = points[polygon[0]];
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
         sum += (points[polygon[k]] - origin).cross(points[polygon[k + 1]] - origin);
     }

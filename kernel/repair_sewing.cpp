@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace tapeline {
@@ -46,7 +47,7 @@ public:
         for (const int v : vertices) {
             entries_.push_back({cell_of(V.row(v)), {V(v, 0), V(v, 1), V(v, 2)}, v});
         }
-        std::ranges::sort(entries_);
+        std::sort(entries_.begin(), entries_.end());
     }
 
     /// Sets of the vertices that are near each other, directly or through others.
@@ -78,7 +79,10 @@ private:
         Cell cell;
         std::array<double, 3> point;
         int vertex;
-        auto operator<=>(const Entry&) const = default;
+        bool operator<(const Entry& other) const
+        {
+            return std::tie(cell, point, vertex) < std::tie(other.cell, other.point, other.vertex);
+        }
     };
     Cell cell_of(const Vec3& p) const
     {
@@ -118,7 +122,7 @@ std::vector<int> border_vertices(const Topology& topology)
         }
     }
     std::ranges::sort(ends);
-    ends.erase(std::ranges::unique(ends).begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     return ends;
 }
 

@@ -138,7 +138,7 @@ bool split_apart(RepairedMesh& work, const EdgeSides& sides, const std::vector<i
     }
     std::vector<int> touching = work.source_vertex;
     std::ranges::sort(touching);
-    touching.erase(std::ranges::unique(touching).begin(), touching.end());
+    touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
     std::erase_if(touching, [&](int v) { return at_split_edge[v] != 0; });
     report.non_manifold_vertices = static_cast<int>(touching.size());
     if (!touching.empty()) {
