@@ -2,47 +2,22 @@
 #include "kernel/foot_matching.h"
 
 #include "kernel/foot_bridging.h"
-#include "kernel/parallel.h"
+#include "kernel/foot_candidates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numeric>
-#include <optional>
 
 namespace tapeline {
 
 namespace {
 
-constexpr double nearly_as_near = 1.05;
 constexpr double end_snap = 0.75; ///< share of an edge
 
 std::string place(const MatchInput& input, int i)
 {
     const Vec3& p = input.points[i];
     return fmt::format("line vertex {} at ({:.6g}, {:.6g}, {:.6g})", input.vertices[i], p.x(), p.y(), p.z());
-}
-
-/// One point's feet. Stations are arc lengths on the curve, counted in the sense of the polyline.
-struct PointFeet {
-    double parameter = 0;
-    double station = 0;
-    double distance = 0;
-    int beyond = 0;               ///< -1: before the curve's start, 1: behind its end (in the polyline's sense)
-    double overshoot = 0;         ///< how far beyond [mm]
-    std::vector<CurveFoot> rival; ///< feet nearly as near but far along the curve, and the chosen one
-    std::vector<double> rival_stations;
-    bool bad = false;
-};
-
-std::vector<double> polyline_lengths(const MatchInput& input)
-{
-    std::vector<double> lengths{0};
-    const size_t n = input.points.size();
-    for (size_t i = 0; i + 1 < n + (input.closed ? 1 : 0); ++i) {
-        lengths.push_back(lengths.back() + (input.points[(i + 1) % n] - input.points[i]).norm());
-    }
-    return lengths;
 }
 
 class Matcher {
@@ -55,9 +30,7 @@ public:
 
     Result<FootMatch> run()
     {
-        feet_.resize(n_);
-        parallel_for(
-            n_, [&](int i) { feet_[i] = feet_of(i); }, 8);
+        feet_ = find_feet(input_, curve_);
         if (const auto sense = find_sense(); !sense) {
             return tl::unexpected(sense.error());
         }
@@ -71,46 +44,11 @@ public:
                                 std::max(0, match_.last - match_.first), n_ - 1));
             }
         }
-        settle_ambiguous();
+        settle_ambiguous(input_, match_.first, input_.closed ? n_ - 1 : match_.last, length_, feet_);
         return finish();
     }
 
 private:
-    double gap(double s, double t) const
-    {
-        const double d = std::abs(s - t);
-        return input_.closed ? std::min(d, length_ - d) : d;
-    }
-
-    PointFeet feet_of(int i) const
-    {
-        const Vec3& p = input_.points[i];
-        const CurveFoot foot = curve_.foot(p);
-        PointFeet feet;
-        feet.parameter = foot.parameter;
-        feet.station = curve_.arc_length(foot.parameter);
-        feet.distance = foot.distance;
-        if (foot.at_end && !input_.closed) {
-            const bool start = feet.station < 0.5 * length_;
-            feet.overshoot = (start ? 1 : -1) * foot.tangent.dot(foot.point - p);
-            feet.beyond = feet.overshoot > 1e-9 * length_ ? (start ? -1 : 1) : 0;
-            return feet;
-        }
-        const double edge = along_.back() / std::max<size_t>(1, along_.size() - 1);
-        const double far = std::max(2 * edge, 0.02 * length_);
-        for (const CurveFoot& other : curve_.all_feet(p)) {
-            const double station = curve_.arc_length(other.parameter);
-            if (other.distance <= nearly_as_near * foot.distance + 1e-9 * length_ && gap(station, feet.station) > far) {
-                feet.rival.push_back(other);
-                feet.rival_stations.push_back(station);
-            }
-        }
-        feet.bad = !feet.rival.empty();
-        feet.rival.push_back(foot);
-        feet.rival_stations.push_back(feet.station);
-        return feet;
-    }
-
     tl::unexpected<Error> ambiguous_error() const
     {
         for (int i = 0; i < n_; ++i) {
@@ -120,7 +58,8 @@ private:
                     fmt::format("the foot of {} on the target is not unique: two places of the target {:.4g} mm "
                                 "apart are both {:.4g} mm away; use the arc_length correspondence or a target "
                                 "with gentler bends",
-                                place(input_, i), gap(feet_[i].rival_stations.front(), feet_[i].station),
+                                place(input_, i),
+                                station_gap(feet_[i].rival_stations.front(), feet_[i].station, input_.closed, length_),
                                 feet_[i].distance));
             }
         }
@@ -168,13 +107,7 @@ private:
         }
         match_.reversed = advance < 0;
         if (match_.reversed) {
-            for (PointFeet& feet : feet_) {
-                feet.station = length_ - feet.station;
-                feet.beyond = -feet.beyond;
-                for (double& station : feet.rival_stations) {
-                    station = length_ - station;
-                }
-            }
+            reverse_stations(feet_, length_);
         }
         return true;
     }
@@ -241,63 +174,9 @@ private:
         return chosen;
     }
 
-    /// The candidate of point i that goes on from `station` in the given sense, at an ordinary pace.
-    std::optional<size_t> continuing(int i, double station, double edge, int sense) const
-    {
-        std::optional<size_t> best;
-        double least = 0;
-        for (size_t k = 0; k < feet_[i].rival.size(); ++k) {
-            double step = sense * (feet_[i].rival_stations[k] - station);
-            if (input_.closed) {
-                step = std::remainder(step, length_);
-            }
-            const double miss = std::abs(step - edge);
-            if (miss <= edge && (!best || miss < least)) {
-                best = k;
-                least = miss;
-            }
-        }
-        return best;
-    }
-
-    /// Chooses among rival feet where the neighbours on both sides lead to the same one.
-    void settle_ambiguous()
-    {
-        const int n = n_;
-        const auto sweep = [&](int sense) {
-            std::vector<std::optional<size_t>> choice(n);
-            double station = std::nan("");
-            const int start = sense > 0 ? match_.first : (input_.closed ? n - 1 : match_.last);
-            const int steps = input_.closed ? 2 * n : match_.last - match_.first + 1;
-            for (int k = 0; k < steps; ++k) {
-                const int i = ((start + sense * k) % n + n) % n;
-                if (!feet_[i].bad) {
-                    station = feet_[i].station;
-                    continue;
-                }
-                choice[i].reset();
-                if (!std::isnan(station) && !feet_[i].rival.empty()) {
-                    const int from = ((i - sense) % n + n) % n;
-                    choice[i] = continuing(i, station, (input_.points[i] - input_.points[from]).norm(), sense);
-                }
-                station = std::nan("");
-                if (choice[i]) {
-                    station = feet_[i].rival_stations[*choice[i]];
-                }
-            }
-            return choice;
-        };
-        const auto forward = sweep(1), backward = sweep(-1);
-        for (int i = 0; i < n; ++i) {
-            if (feet_[i].bad && forward[i] && forward[i] == backward[i]) {
-                feet_[i].station = feet_[i].rival_stations[*forward[i]];
-                feet_[i].parameter = feet_[i].rival[*forward[i]].parameter;
-                feet_[i].bad = false;
-            }
-        }
-    }
-
     Result<FootMatch> finish();
+    StationRow row_from(int start) const;
+    void take(const StationRow& row, const std::vector<bool>& bridged, int start);
 
     const MatchInput& input_;
     const TargetCurve& curve_;
@@ -307,6 +186,52 @@ private:
     std::vector<PointFeet> feet_;
     FootMatch match_;
 };
+
+/// The used points in order from point `start`, all of them and the first again when closed.
+StationRow Matcher::row_from(int start) const
+{
+    StationRow row;
+    const int count = input_.closed ? n_ + 1 : match_.last - match_.first + 1;
+    double station = feet_[start].station;
+    for (int k = 0; k < count; ++k) {
+        const PointFeet& feet = feet_[(start + k) % n_];
+        if (!input_.closed) {
+            station = feet.station;
+        } else if (!feet.bad) {
+            station += std::remainder(feet.station - station, length_);
+        }
+        row.station.push_back(station);
+        row.along.push_back(start + k < n_ || !input_.closed ? along_[start + k] : along_[n_] + along_[start + k - n_]);
+        row.bad.push_back(feet.bad);
+    }
+    if (input_.closed) {
+        row.station.back() = row.station.front() + length_;
+    }
+    return row;
+}
+
+/// Takes the parameters over; those of bridged points follow from their new stations.
+void Matcher::take(const StationRow& row, const std::vector<bool>& bridged, int start)
+{
+    match_.parameters.resize(input_.closed ? n_ : match_.last - match_.first + 1);
+    std::vector<int> moved;
+    for (int k = 0; k < static_cast<int>(match_.parameters.size()); ++k) {
+        const int i = (start + k) % n_;
+        double& parameter = match_.parameters[input_.closed ? i : k];
+        parameter = feet_[i].parameter;
+        if (bridged[k]) {
+            const double s = input_.closed ? std::fmod(row.station[k] + length_, length_) : row.station[k];
+            parameter = curve_.parameter_at(match_.reversed ? length_ - s : s);
+            moved.push_back(i);
+        }
+    }
+    if (!moved.empty()) {
+        match_.warnings.push_back(
+            fmt::format("{} vertices around {} lie near or beyond the target's centre of curvature and were spread by "
+                        "arc length instead of by their feet",
+                        moved.size(), place(input_, moved[moved.size() / 2])));
+    }
+}
 
 /// Bridges what is left, and turns stations into parameters.
 Result<FootMatch> Matcher::finish()
@@ -321,23 +246,7 @@ Result<FootMatch> Matcher::finish()
         start = farthest_from(bad);
         match_.last = n_ - 1;
     }
-    const int count = input_.closed ? n_ + 1 : match_.last - match_.first + 1;
-    StationRow row;
-    double station = feet_[start].station;
-    for (int k = 0; k < count; ++k) {
-        const PointFeet& feet = feet_[(start + k) % n_];
-        const double step = feet.station - station;
-        station = input_.closed && !feet.bad ? station + std::remainder(step, length_) : feet.station;
-        if (input_.closed && feet.bad) {
-            station = row.station.back();
-        }
-        row.station.push_back(station);
-        row.along.push_back(start + k < n_ || !input_.closed ? along_[start + k] : along_[n_] + along_[start + k - n_]);
-        row.bad.push_back(feet.bad);
-    }
-    if (input_.closed) {
-        row.station.back() = row.station.front() + length_;
-    }
+    StationRow row = row_from(start);
     const auto bridged = bridge(row);
     if (!bridged) {
         if (std::ranges::any_of(feet_, [](const PointFeet& feet) { return feet.bad && feet.rival.size() > 1; })) {
@@ -349,28 +258,7 @@ Result<FootMatch> Matcher::finish()
                         "a target that runs along the line",
                         place(input_, (start + bridged.error()) % n_)));
     }
-    match_.parameters.resize(input_.closed ? n_ : count);
-    int moved = 0;
-    for (int k = 0; k < static_cast<int>(match_.parameters.size()); ++k) {
-        const int i = (start + k) % n_;
-        double& parameter = match_.parameters[input_.closed ? i : k];
-        parameter = feet_[i].parameter;
-        if ((*bridged)[k]) {
-            const double s = input_.closed ? std::fmod(row.station[k] + length_, length_) : row.station[k];
-            parameter = curve_.parameter_at(match_.reversed ? length_ - s : s);
-            ++moved;
-        }
-    }
-    if (moved > 0) {
-        int k = 0;
-        for (int passed = 0; passed < (moved + 1) / 2; ++k) {
-            passed += (*bridged)[k] ? 1 : 0;
-        }
-        match_.warnings.push_back(
-            fmt::format("{} vertices around {} lie near or beyond the target's centre of curvature "
-                        "and were spread by arc length instead of by their feet",
-                        moved, place(input_, (start + k - 1) % n_)));
-    }
+    take(row, *bridged, start);
     return match_;
 }
 
