@@ -21,6 +21,7 @@ using Vec2 = Eigen::Vector2d;
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double standing_out_share = 0.4;
 constexpr double dip_share = 0.2;
+constexpr double thin_share = 0.05; ///< of the edge's length
 constexpr int max_crossings = 12;
 constexpr int max_facets = 4;
 
@@ -103,7 +104,9 @@ std::vector<Facet> facets_beside(const Mesh& mesh, const Topology& topology, con
             break;
         }
         const double turn = signed_bend(mesh, topology.edge(next)) * segment.x() / segment.norm();
-        const bool other_crease = std::abs(turn) >= very_sharp_angle;
+        // Beyond another crease lies another surface; a fold beside a thin sliver is none.
+        const bool other_crease =
+            std::abs(turn) >= very_sharp_angle && facets.back().end - facets.back().start > 2 * half * thin_share;
         turned += turn;
         if (std::abs(turned - facets.back().turned) > 0.1 * std::abs(bend)) {
             if (other_crease || static_cast<int>(facets.size()) == max_facets) {
@@ -132,25 +135,48 @@ double explained_bend(const std::vector<Facet>& facets)
     return 0.5 * width * rate;
 }
 
-/// Angle between the exact CAD faces on both sides of a mesh edge [deg]; empty where they are not known.
+/// What the walks on both sides of an edge met.
+struct Beside {
+    double bend = 0;
+    std::vector<Facet> left, right;
+
+    double standing_out() const { return std::max(0.0, std::abs(bend) - explained_bend(left) - explained_bend(right)); }
+};
+
+Beside facets_on_both_sides(const Mesh& mesh, const Topology& topology, const MeshEdge& edge)
+{
+    const double bend = signed_bend(mesh, edge);
+    MeshEdge turned = edge;
+    std::swap(turned.a, turned.b);
+    return {bend, facets_beside(mesh, topology, edge, edge.left, bend),
+            facets_beside(mesh, topology, turned, edge.right, bend)};
+}
+
+/// Angle between the exact CAD faces on both sides of a mesh edge [deg]; empty where they are not known. Between two
+/// faces both normals are taken at the edge's middle; inside one face at the centres of the two triangles.
 std::optional<double> exact_crease_angle(const Model& model, const MeshEdge& edge)
 {
     const int face1 = model.cad_face[edge.left], face2 = model.cad_face[edge.right];
-    if (!model.surface || face1 < 0 || face2 < 0 || face1 == face2) {
+    if (!model.surface || face1 < 0 || face2 < 0) {
         return {};
     }
     const Vec3 a = position(model.mesh, edge.a), b = position(model.mesh, edge.b);
+    const auto centre = [&](int t) -> Vec3 {
+        return (a + b + position(model.mesh, third_vertex(model.mesh, t, edge.a, edge.b))) / 3;
+    };
     const Vec3 middle = 0.5 * (a + b);
-    const auto foot1 = model.surface->closest(face1, middle);
-    const auto foot2 = model.surface->closest(face2, middle);
+    const Vec3 p1 = face1 == face2 ? centre(edge.left) : middle, p2 = face1 == face2 ? centre(edge.right) : middle;
+    const auto foot1 = model.surface->closest(face1, p1);
+    const auto foot2 = model.surface->closest(face2, p2);
     // A mesh that has left its CAD faces (it was moved) is judged by itself.
     const double reach = 0.25 * (b - a).norm();
-    if (!foot1 || !foot2 || (foot1->point - middle).norm() > reach || (foot2->point - middle).norm() > reach) {
+    if (!foot1 || !foot2 || (foot1->point - p1).norm() > reach || (foot2->point - p2).norm() > reach) {
         return {};
     }
     return std::atan2(foot1->normal.cross(foot2->normal).norm(), foot1->normal.dot(foot2->normal)) * degrees;
 }
 
+/// The angle by which the edge is judged [deg]: 0 when it is no crease whatever the threshold.
 double decisive_angle(const Model& model, const Topology& topology, int e, int cad_edge, double low)
 {
     const MeshEdge& edge = topology.edge(e);
@@ -158,20 +184,28 @@ double decisive_angle(const Model& model, const Topology& topology, int e, int c
     if (angle < low || !two_sided(edge)) {
         return 0;
     }
-    const bool from_cad = !model.cad_face.empty();
-    const bool inside_face = from_cad && cad_edge < 0;
-    if (angle >= very_sharp_angle && !inside_face) {
-        return angle;
-    }
-    if (inside_face && angle < very_sharp_angle) {
-        return 0;
-    }
-    if (from_cad && cad_edge >= 0) {
+    if (!model.cad_face.empty()) {
+        if (cad_edge < 0 && angle < very_sharp_angle) {
+            return 0;
+        }
         if (const auto exact = exact_crease_angle(model, edge)) {
-            return *exact;
+            if (model.cad_face[edge.left] != model.cad_face[edge.right]) {
+                return *exact;
+            }
+            if (*exact < 0.5 * angle) {
+                return 0;
+            }
+        }
+        if (cad_edge < 0) {
+            return standing_out_angle(model.mesh, topology, e) >= standing_out_share * angle ? angle : 0;
         }
     }
-    return standing_out_angle(model.mesh, topology, e) >= standing_out_share * angle ? angle : 0;
+    const double thin = thin_share * (position(model.mesh, edge.a) - position(model.mesh, edge.b)).norm();
+    const Beside beside = facets_on_both_sides(model.mesh, topology, edge);
+    if (angle >= very_sharp_angle && beside.left.front().end > thin && beside.right.front().end > thin) {
+        return angle;
+    }
+    return beside.standing_out() >= standing_out_share * angle ? angle : 0;
 }
 
 /// The mesh edges of one CAD edge in order; a branching or broken one comes out in several parts.
@@ -248,15 +282,7 @@ void fill_dips(const Mesh& mesh, const Topology& topology, const std::vector<int
 double standing_out_angle(const Mesh& mesh, const Topology& topology, int e)
 {
     const MeshEdge& edge = topology.edge(e);
-    if (!two_sided(edge)) {
-        return 0;
-    }
-    const double bend = signed_bend(mesh, edge);
-    MeshEdge turned = edge;
-    std::swap(turned.a, turned.b);
-    const double explained = explained_bend(facets_beside(mesh, topology, edge, edge.left, bend)) +
-                             explained_bend(facets_beside(mesh, topology, turned, edge.right, bend));
-    return std::max(0.0, std::abs(bend) - explained);
+    return two_sided(edge) ? facets_on_both_sides(mesh, topology, edge).standing_out() : 0;
 }
 
 std::vector<int> cad_edge_of_edges(const Model& model, const Topology& topology)
