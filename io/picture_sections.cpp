@@ -25,7 +25,7 @@ constexpr double panel_width = 440, panel_height = 250, gap = 18, head = 74, lon
 /// A section with the numbers that its panel shows; axes of the panel in space.
 struct Panel {
     const Section* section = nullptr;
-    SectionShape compressed_before, compressed_after, tension_before, tension_after;
+    SectionShapes shapes;
     Vec3 along = Vec3::UnitX(), up = Vec3::UnitZ(); ///< rightwards (compressed to tension) and upwards (outward)
 
     /// Place in the section [mm]: rightwards and upwards from the moved line's point.
@@ -54,10 +54,7 @@ Panel make_panel(const Section& section)
 {
     Panel panel;
     panel.section = &section;
-    panel.compressed_before = section_shape(section.compressed_before, section.rest_normal);
-    panel.compressed_after = section_shape(section.compressed_after, section.normal);
-    panel.tension_before = section_shape(section.tension_before, section.rest_normal);
-    panel.tension_after = section_shape(section.tension_after, section.normal);
+    panel.shapes = section_shapes(section);
     // Level is from rim to rim, the compressed side to the left.
     const Vec3 left = section.compressed_after.empty() ? section.origin : section.compressed_after.back();
     const Vec3 right = section.tension_after.empty() ? section.origin : section.tension_after.back();
@@ -95,8 +92,8 @@ Layout make_layout(const std::vector<Panel>& panels)
                 layout.box.extend(panel.flat(p));
             }
         }
-        for (const SectionShape* shape :
-             {&panel.compressed_before, &panel.tension_before, &panel.compressed_after, &panel.tension_after}) {
+        for (const SectionShape* shape : {&panel.shapes.compressed_before, &panel.shapes.tension_before,
+                                          &panel.shapes.compressed_after, &panel.shapes.tension_after}) {
             for (const Vec3& k : shape->curvature) {
                 curvatures.push_back(k.norm());
             }
@@ -141,13 +138,13 @@ public:
         cairo_rectangle(canvas_.cr(), x_ + 1, y_ + 28, panel_width - 2, panel_height - 64);
         cairo_clip(canvas_.cr());
         const Section& s = *panel_.section;
-        comb(panel_.compressed_after, compressed_ink);
-        comb(panel_.tension_after, tension_ink);
+        comb(panel_.shapes.compressed_after, compressed_ink);
+        comb(panel_.shapes.tension_after, tension_ink);
         curve(s.compressed_before, before_ink, true);
         curve(s.tension_before, before_ink, true);
         curve(s.compressed_after, compressed_ink, false);
         curve(s.tension_after, tension_ink, false);
-        for (const SectionShape* shape : {&panel_.compressed_after, &panel_.tension_after}) {
+        for (const SectionShape* shape : {&panel_.shapes.compressed_after, &panel_.shapes.tension_after}) {
             for (const Vec3& p : shape->inflection_points) {
                 mark(p);
             }
@@ -244,10 +241,11 @@ private:
                                after.inflections, before.turning, after.turning);
         };
         canvas_.ink(compressed_ink);
-        canvas_.text(x_ + 12, y_ + panel_height - 12, numbers(panel_.compressed_before, panel_.compressed_after), 10.5);
+        canvas_.text(x_ + 12, y_ + panel_height - 12,
+                     numbers(panel_.shapes.compressed_before, panel_.shapes.compressed_after), 10.5);
         canvas_.ink(tension_ink);
         canvas_.text(x_ + panel_width - 12, y_ + panel_height - 12,
-                     numbers(panel_.tension_before, panel_.tension_after), 10.5, Align::right);
+                     numbers(panel_.shapes.tension_before, panel_.shapes.tension_after), 10.5, Align::right);
     }
 
     const Canvas& canvas_;

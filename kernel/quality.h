@@ -5,12 +5,12 @@
 #include "kernel/error.h"
 #include "kernel/mesh.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// What is measured: a deformed mesh against its rest shape (same triangles), the line on it, and its two sides.
 struct QualityInput {
@@ -30,11 +30,14 @@ struct QualityInput {
 struct Section {
     Vec3 origin = Vec3::Zero();      ///< point of the moved line
     Vec3 normal = Vec3::Zero();      ///< of the section plane (the moved line's tangent)
-    Vec3 outward = Vec3::Zero(); ///< unit, in the plane, away from the part at the moved line
+    Vec3 outward = Vec3::Zero();     ///< unit, in the plane, away from the part at the moved line
     Vec3 rest_normal = Vec3::Zero(); ///< of the plane of the `before` polylines: the same, unless that plane misses L0;
                                      ///< then L0's tangent at the same place of the line
     std::vector<Vec3> compressed_before, compressed_after; ///< from the line outwards
     std::vector<Vec3> tension_before, tension_after;
+    /// Per point of the four polylines, in the order above: how far the surface that the mesh stands for may lie from the
+    /// edge cut there [mm], the sagitta of the edge after the normals at its ends; 0 on creases.
+    std::array<std::vector<double>, 4> sagitta;
 };
 
 struct SectionMeasure {
@@ -50,8 +53,8 @@ struct QualityReport {
     double chord_error_max_mm = 0; ///< the moved polyline's mid-edges to Lt
     double slide_max_mm = 0;       ///< largest displacement of a line vertex
     double bulge_max_mm = 0;       ///< signed distance of the compressed side to the rest surface, of largest size
-    double bulge_rms_mm = 0;
-    double bulge_fraction = 0; ///< |bulge_max| / slide_max
+    double bulge_rms_mm = 0;       ///< over the compressed side, weighted by area
+    double bulge_fraction = 0;     ///< |bulge_max| / slide_max
     Vec3 bulge_at = Vec3::Zero();
     SectionMeasure compressed_sections, tension_sections;
     double gauss_sign_change = 0; ///< share of area in [0, 1] whose sign went from + to - or back, both beyond the

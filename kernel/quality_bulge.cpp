@@ -7,11 +7,9 @@
 #include <cmath>
 #include <limits>
 
-namespace tapeline::quality
-{
+namespace tapeline::quality {
 
-namespace
-{
+namespace {
 
 /// The region's triangles and one ring around them: far enough for what the region can do, and no other sheet of a thin
 /// part that happens to be near.
@@ -104,27 +102,26 @@ void measure_bulge(const Context& context, QualityReport& report)
         return;
     }
     const std::vector<double> map = bulge_map(context);
-    std::vector<char> counted(map.size(), 0);
+    std::vector<double> weight(map.size(), 0); // area of the side around each vertex
     for (const int t : context.input.compressed_faces) {
         for (int k = 0; k < 3; ++k) {
-            counted[context.rest.F(t, k)] = 1;
+            weight[context.rest.F(t, k)] += context.rest_areas[t];
         }
     }
-    double squares = 0;
-    int count = 0;
+    double squares = 0, total = 0;
     for (const int v : context.vertices) {
         // The line has a measure of its own: its target may leave the mesh by the chord error.
-        if (!counted[v] || context.on_line[v] || !std::isfinite(map[v])) {
+        if (weight[v] <= 0 || context.on_line[v] || !std::isfinite(map[v])) {
             continue;
         }
-        squares += map[v] * map[v];
-        ++count;
+        squares += weight[v] * map[v] * map[v];
+        total += weight[v];
         if (std::abs(map[v]) > std::abs(report.bulge_max_mm)) {
             report.bulge_max_mm = map[v];
             report.bulge_at = context.moved.V.row(v);
         }
     }
-    report.bulge_rms_mm = count > 0 ? std::sqrt(squares / count) : 0;
+    report.bulge_rms_mm = total > 0 ? std::sqrt(squares / total) : 0;
     report.bulge_fraction = report.slide_max_mm > 0 ? std::abs(report.bulge_max_mm) / report.slide_max_mm : 0;
 }
 

@@ -90,17 +90,59 @@ Station crossing(const Context& context, const Positions& V, const Plane& plane,
     return best;
 }
 
+/// One half of a section: points and, for each, the sagitta of the edge that it lies on.
+struct Half {
+    std::vector<Vec3> points;
+    std::vector<double> sagitta;
+};
+
+/// Normal of the marked triangles around v, weighted by angle.
+Vec3 side_normal(const Context& context, const Mesh& mesh, const Positions& normals, int v,
+                 const std::vector<char>& marked)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const int t : context.topology.vertex_faces(v)) {
+        if (marked[t]) {
+            const int k = mesh.F(t, 0) == v ? 0 : (mesh.F(t, 1) == v ? 1 : 2);
+            const Vec3 p = mesh.V.row(v);
+            const Vec3 e1 = mesh.V.row(mesh.F(t, (k + 1) % 3)).transpose() - p;
+            const Vec3 e2 = mesh.V.row(mesh.F(t, (k + 2) % 3)).transpose() - p;
+            sum += std::atan2(e1.cross(e2).norm(), e1.dot(e2)) * normals.row(t).transpose();
+        }
+    }
+    return sum.normalized();
+}
+
+/// One shape, rest or moved, with one side of the line.
+struct SideShape {
+    const Context& context;
+    const Mesh& mesh;
+    const Positions& normals;
+    const std::vector<char>& marked;
+
+    /// (n_b - n_a) · (b - a) / 8: how far the middle of a curved edge with these end normals lies from its chord.
+    double sagitta(int e) const
+    {
+        constexpr double crease = 0.87; // cosine of 30°: a crease is no curvature
+        const int a = context.topology.edge(e).a, b = context.topology.edge(e).b;
+        const Vec3 na = side_normal(context, mesh, normals, a, marked);
+        const Vec3 nb = side_normal(context, mesh, normals, b, marked);
+        return na.dot(nb) < crease ? 0 : std::abs((nb - na).dot(Vec3(mesh.V.row(b) - mesh.V.row(a)))) / 8;
+    }
+};
+
 /// The section from the line outwards: starts in triangle `face` on its edge `edge`, which the plane cuts, and goes on
 /// from triangle to triangle while they are marked. A vertex in the plane counts as above it, so that every triangle
 /// that is met has exactly one way out.
-std::vector<Vec3> trace(const Context& context, const Positions& V, const Plane& plane, const Vec3& start, int face,
-                        int edge, const std::vector<char>& marked)
+Half trace(const SideShape& shape, const Plane& plane, const Vec3& start, int face, int edge)
 {
-    std::vector<Vec3> points{start};
-    for (size_t steps = 0; face >= 0 && marked[face] && steps <= marked.size(); ++steps) {
+    const Topology& topology = shape.context.topology;
+    const Positions& V = shape.mesh.V;
+    Half half{{start}, {shape.sagitta(edge)}};
+    for (size_t steps = 0; face >= 0 && shape.marked[face] && steps <= shape.marked.size(); ++steps) {
         int out = -1;
-        for (const int e : context.topology.face_edges(face)) {
-            const MeshEdge& candidate = context.topology.edge(e);
+        for (const int e : topology.face_edges(face)) {
+            const MeshEdge& candidate = topology.edge(e);
             if (e != edge && (plane.height(V.row(candidate.a)) >= 0) != (plane.height(V.row(candidate.b)) >= 0)) {
                 out = e;
             }
@@ -108,17 +150,18 @@ std::vector<Vec3> trace(const Context& context, const Positions& V, const Plane&
         if (out < 0) {
             break;
         }
-        const MeshEdge& next = context.topology.edge(out);
+        const MeshEdge& next = topology.edge(out);
         const double a = plane.height(V.row(next.a)), b = plane.height(V.row(next.b));
         const double t = a / (a - b);
-        points.emplace_back((1 - t) * V.row(next.a) + t * V.row(next.b));
+        half.points.emplace_back((1 - t) * V.row(next.a) + t * V.row(next.b));
+        half.sagitta.push_back(shape.sagitta(out));
         if (next.face_count != 2) {
             break;
         }
-        face = context.topology.face_across(face, out);
+        face = topology.face_across(face, out);
         edge = out;
     }
-    return points;
+    return half;
 }
 
 /// Marks of the triangles on the compressed and on the tension side. A set that holds both sides of the line is taken
@@ -167,19 +210,21 @@ Vec3 outward_at(const Context& context, const Plane& plane, const Station& at)
 }
 
 /// Both halves of the section of one shape; [0] compressed, [1] tension.
-std::array<std::vector<Vec3>, 2> cut(const Context& context, const Positions& V, const Plane& plane, const Station& at,
-                                     const std::array<std::vector<char>, 2>& marks)
+std::array<Half, 2> cut(const Context& context, bool after, const Plane& plane, const Station& at,
+                        const std::array<std::vector<char>, 2>& marks)
 {
-    std::array<std::vector<Vec3>, 2> halves;
+    std::array<Half, 2> halves;
     const int edge = context.topology.find_edge(context.line_from(at.edge), context.line_to(at.edge));
     if (edge < 0) {
         return halves;
     }
-    const Vec3 start = point_on(context, V, at);
+    const Mesh& mesh = after ? context.moved : context.rest;
+    const Positions& normals = after ? context.moved_normals : context.rest_normals;
+    const Vec3 start = point_on(context, mesh.V, at);
     for (const int face : {context.topology.edge(edge).left, context.topology.edge(edge).right}) {
         for (int s = 0; s < 2; ++s) {
-            if (face >= 0 && marks[s][face] && halves[s].empty()) {
-                halves[s] = trace(context, V, plane, start, face, edge, marks[s]);
+            if (face >= 0 && marks[s][face] && halves[s].points.empty()) {
+                halves[s] = trace({context, mesh, normals, marks[s]}, plane, start, face, edge);
                 break;
             }
         }
@@ -197,9 +242,11 @@ Section section_at(const Context& context, const Station& station, const std::ar
     section.outward = outward_at(context, plane, station);
     const Station after = crossing(context, context.moved.V, plane, section.origin);
     if (after.edge >= 0) {
-        auto halves = cut(context, context.moved.V, plane, after, marks);
-        section.compressed_after = std::move(halves[0]);
-        section.tension_after = std::move(halves[1]);
+        auto halves = cut(context, true, plane, after, marks);
+        section.compressed_after = std::move(halves[0].points);
+        section.tension_after = std::move(halves[1].points);
+        section.sagitta[1] = std::move(halves[0].sagitta);
+        section.sagitta[3] = std::move(halves[1].sagitta);
     }
     const Vec3 was = point_on(context, context.rest.V, station);
     Station before = crossing(context, context.rest.V, plane, was);
@@ -210,9 +257,11 @@ Section section_at(const Context& context, const Station& station, const std::ar
         before = crossing(context, context.rest.V, plane, was);
     }
     if (before.edge >= 0) {
-        auto halves = cut(context, context.rest.V, plane, before, marks);
-        section.compressed_before = std::move(halves[0]);
-        section.tension_before = std::move(halves[1]);
+        auto halves = cut(context, false, plane, before, marks);
+        section.compressed_before = std::move(halves[0].points);
+        section.tension_before = std::move(halves[1].points);
+        section.sagitta[0] = std::move(halves[0].sagitta);
+        section.sagitta[2] = std::move(halves[1].sagitta);
     }
     return section;
 }
@@ -251,17 +300,14 @@ void measure_sections(const Context& context, QualityReport& report)
 {
     bool first = true;
     for (const Section& section : cut_sections(context)) {
-        const SectionShape compressed_before = section_shape(section.compressed_before, section.rest_normal);
-        const SectionShape compressed_after = section_shape(section.compressed_after, section.normal);
-        const SectionShape tension_before = section_shape(section.tension_before, section.rest_normal);
-        const SectionShape tension_after = section_shape(section.tension_after, section.normal);
+        const SectionShapes shapes = section_shapes(section);
         if (first) {
             report.compressed_sections.turning_increase = -std::numeric_limits<double>::infinity();
             report.tension_sections.turning_increase = -std::numeric_limits<double>::infinity();
             first = false;
         }
-        add(report.compressed_sections, compressed_before, compressed_after);
-        add(report.tension_sections, tension_before, tension_after);
+        add(report.compressed_sections, shapes.compressed_before, shapes.compressed_after);
+        add(report.tension_sections, shapes.tension_before, shapes.tension_after);
     }
 }
 

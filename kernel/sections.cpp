@@ -20,7 +20,8 @@ constexpr int max_samples = 1000;
 /// A polyline in its plane, by arc length.
 class PlanePolyline {
 public:
-    PlanePolyline(std::span<const Vec3> polyline, const Vec3& normal) : origin_(polyline.front())
+    PlanePolyline(std::span<const Vec3> polyline, const Vec3& normal, std::span<const double> sagitta)
+        : origin_(polyline.front())
     {
         axis_x_ = polyline.back() - polyline.front();
         axis_x_ -= axis_x_.dot(normal) * normal;
@@ -29,12 +30,14 @@ public:
         }
         axis_x_.normalize();
         axis_y_ = normal.cross(axis_x_);
-        for (const Vec3& p : polyline) {
+        for (size_t i = 0; i < polyline.size(); ++i) {
+            const Vec3 p = polyline[i];
             const Vec2 q(axis_x_.dot(p - origin_), axis_y_.dot(p - origin_));
             const double step = points_.empty() ? 0 : (q - points_.back()).norm();
             if (points_.empty() || step > 0) {
                 arc_.push_back(points_.empty() ? 0 : arc_.back() + step);
                 points_.push_back(q);
+                sagitta_.push_back(i < sagitta.size() ? sagitta[i] : 0);
             }
         }
     }
@@ -64,13 +67,24 @@ public:
         return (1 - t) * points_[i - 1] + t * points_[i];
     }
 
+    /// Largest sagitta between two arc lengths.
+    double sagitta(double from, double to) const
+    {
+        double worst = 0;
+        for (auto i = std::lower_bound(arc_.begin(), arc_.end(), from) - arc_.begin();
+             i < static_cast<std::ptrdiff_t>(arc_.size()) && arc_[i] <= to; ++i) {
+            worst = std::max(worst, sagitta_[i]);
+        }
+        return worst;
+    }
+
     Vec3 lift(const Vec2& q) const { return origin_ + q.x() * axis_x_ + q.y() * axis_y_; }
     Vec3 lift_direction(const Vec2& q) const { return q.x() * axis_x_ + q.y() * axis_y_; }
 
 private:
     Vec3 origin_, axis_x_, axis_y_;
     std::vector<Vec2> points_;
-    std::vector<double> arc_;
+    std::vector<double> arc_, sagitta_;
 };
 
 /// θ and ε along a section, at evenly spaced arc lengths.
@@ -117,7 +131,8 @@ Directions directions(const PlanePolyline& line, double segment)
         const auto low = rough.begin() + std::max(0, i - reach);
         const auto high = rough.begin() + std::min(count, i + reach + 1);
         d.theta.push_back(theta);
-        d.band.push_back((*std::max_element(low, high) + relative_floor * length) / r);
+        const double delta = std::max(*std::max_element(low, high), line.sagitta(s - r - segment, s + r + segment));
+        d.band.push_back((delta + relative_floor * length) / r);
     }
     return d;
 }
@@ -168,13 +183,13 @@ double slope(const Directions& d, int i, int reach)
 
 } // namespace
 
-SectionShape section_shape(std::span<const Vec3> polyline, const Vec3& normal)
+SectionShape section_shape(std::span<const Vec3> polyline, const Vec3& normal, std::span<const double> sagitta)
 {
     SectionShape shape;
     if (polyline.size() < 3) {
         return shape;
     }
-    const PlanePolyline line(polyline, normal);
+    const PlanePolyline line(polyline, normal, sagitta);
     if (line.segments() < 2) {
         return shape;
     }
@@ -205,6 +220,14 @@ SectionShape section_shape(std::span<const Vec3> polyline, const Vec3& normal)
     }
     shape.turning = total * degrees;
     return shape;
+}
+
+SectionShapes section_shapes(const Section& section)
+{
+    return {section_shape(section.compressed_before, section.rest_normal, section.sagitta[0]),
+            section_shape(section.compressed_after, section.normal, section.sagitta[1]),
+            section_shape(section.tension_before, section.rest_normal, section.sagitta[2]),
+            section_shape(section.tension_after, section.normal, section.sagitta[3])};
 }
 
 } // namespace tapeline

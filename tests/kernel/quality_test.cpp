@@ -176,6 +176,21 @@ TEST(Quality, FindsTheInflectionOfAFaintSBendInAnIrregularMesh)
     EXPECT_EQ(report->tension_sections.inflections_after, 1);
 }
 
+TEST(Quality, SeesNoInflectionInStraightSectionsOfAnIrregularMesh)
+{
+    // Curved along the line only: what bends in a section is the tessellation, by up to 0.03 mm.
+    for (const int n : {1, 2}) {
+        const Mesh rest = grid(30 * n, 24 * n, -400, 400, -300, 300, [](double x, double) { return -x * x / 3000; },
+                               Diagonals::random, {12 * n});
+        const std::vector<int> line = crease_panel_line(30 * n, 24 * n);
+        const auto [left, right] = sides_of_line(rest, all_faces(rest), line, false);
+        const auto report = measure_quality({rest, rest.V, line, false, left, right, nullptr, 31});
+        ASSERT_TRUE(report) << report.error().message;
+        EXPECT_EQ(report->compressed_sections.inflections_before, 0);
+        EXPECT_EQ(report->tension_sections.inflections_before, 0);
+    }
+}
+
 TEST(Quality, DoesNotChangeUnderRigidMotionAndScalesWithTheModel)
 {
     PanelCase panel(30, 20, Diagonals::random);
