@@ -13,30 +13,52 @@ constexpr double vertex_limit = 50000;
 
 Vec3 row(const Mesh& mesh, int v) { return mesh.V.row(v).transpose(); }
 
-/// A chain that begins with `first` and goes on with `rest`.
-std::vector<int> chain(int first, const std::vector<int>& rest)
-{
-    std::vector<int> vertices = {first};
-    vertices.insert(vertices.end(), rest.begin(), rest.end());
-    return vertices;
-}
-
-std::vector<int> without_first(const std::vector<int>& vertices)
-{
-    return {vertices.begin() + (vertices.empty() ? 0 : 1), vertices.end()};
-}
-
-/// The chains that must survive: the line, what goes on before and behind it, and the bounding lines.
-std::vector<std::vector<int>> chains_to_keep(const FeatureLine& line, const RegionOptions& options)
-{
-    std::vector<std::vector<int>> chains = {line.vertices, chain(line.vertices.front(), line.before),
-                                            chain(line.vertices.back(), line.after)};
-    if (line.closed) {
-        chains[0].push_back(line.vertices.front());
+/// Chains of vertices that must survive: the line, what goes on before and behind it, and the bounding lines.
+class KeptChains {
+public:
+    KeptChains(const FeatureLine& line, const RegionOptions& options)
+    {
+        std::vector<int> whole = line.vertices;
+        if (line.closed) {
+            whole.push_back(line.vertices.front());
+        }
+        chains_.push_back(std::move(whole));
+        before_ = add(line.vertices.front(), line.before);
+        after_ = add(line.vertices.back(), line.after);
+        bounding_ = chains_.size();
+        chains_.insert(chains_.end(), options.bounding_lines.begin(), options.bounding_lines.end());
     }
-    chains.insert(chains.end(), options.bounding_lines.begin(), options.bounding_lines.end());
-    return chains;
-}
+
+    const std::vector<std::vector<int>>& chains() const { return chains_; }
+
+    /// What `before`, `after` and the bounding lines became, from the chains in new numbers.
+    std::vector<int> before(const std::vector<std::vector<int>>& kept) const { return rest_of(kept, before_); }
+    std::vector<int> after(const std::vector<std::vector<int>>& kept) const { return rest_of(kept, after_); }
+    std::vector<std::vector<int>> bounding(const std::vector<std::vector<int>>& kept) const
+    {
+        return {kept.begin() + static_cast<std::ptrdiff_t>(bounding_), kept.end()};
+    }
+
+private:
+    /// Adds `first` with what follows it, if anything does; 0 = nothing was added.
+    std::size_t add(int first, const std::vector<int>& rest)
+    {
+        if (rest.empty()) {
+            return 0;
+        }
+        std::vector<int> chain = {first};
+        chain.insert(chain.end(), rest.begin(), rest.end());
+        chains_.push_back(std::move(chain));
+        return chains_.size() - 1;
+    }
+    static std::vector<int> rest_of(const std::vector<std::vector<int>>& kept, std::size_t chain)
+    {
+        return chain == 0 ? std::vector<int>{} : std::vector<int>(kept[chain].begin() + 1, kept[chain].end());
+    }
+
+    std::vector<std::vector<int>> chains_;
+    std::size_t before_ = 0, after_ = 0, bounding_ = 0;
+};
 
 int nearest_vertex(const RemeshResult& remeshed, const Vec3& p)
 {
@@ -89,7 +111,8 @@ Result<Remeshed> remesh_around(const Model& model, const std::vector<int>& faces
     RemeshOptions remesh;
     remesh.max_edge_mm = max_edge;
     remesh.crease_angle = crease_angle;
-    remesh.keep_lines = chains_to_keep(line, options);
+    const KeptChains chains(line, options);
+    remesh.keep_lines = chains.chains();
     Result<RemeshResult> result = remesh_region(model, faces, remesh);
     if (!result) {
         return tl::unexpected(result.error());
@@ -107,9 +130,9 @@ Result<Remeshed> remesh_around(const Model& model, const std::vector<int>& faces
                   result->projected,
                   std::move(result->warnings)};
     made.line.id = line.id;
-    made.line.before = without_first(kept[1]);
-    made.line.after = without_first(kept[2]);
-    made.options.bounding_lines.assign(kept.begin() + 3, kept.end());
+    made.line.before = chains.before(kept);
+    made.line.after = chains.after(kept);
+    made.options.bounding_lines = chains.bounding(kept);
     made.options.fixed_vertices = in_new_numbers(model, options.fixed_vertices, *result);
     made.model = std::move(result->model);
     return made;
