@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The jobs in resources/jobs, on our own STEP models: each ends well and keeps the limits that stand in it.
+#include "plugin/runner/job_file.h"
+#include "tests/plugin/run_command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace tapeline::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OurJobs : public ::testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override
+    {
+        const auto job = read_job(fs::path(TAPELINE_SOURCE_DIR) / "resources" / "jobs" / GetParam());
+        ASSERT_TRUE(job) << job.error().message;
+        job_ = *job;
+        asked_ = job_.outputs;
+        job_.outputs = {};
+        job_.outputs.out = {folder_ / "moved.obj"};
+        job_.outputs.rest = folder_ / "rest.obj";
+        job_.outputs.stats = folder_ / "stats.json";
+        job_.outputs.save_target = folder_ / "target.json";
+    }
+
+    std::string file(const char* name) const { return (folder_ / name).string(); }
+
+    Job job_;
+    OutputSettings asked_;
+    TemporaryFolder folder_;
+};
+
+TEST_P(OurJobs, KeepTheirLimitsAndPassTheSameOnesInCheck)
+{
+    const auto& gate = job_.gate;
+    ASSERT_TRUE(gate.max_bulge && gate.max_inflections && gate.min_squash && gate.max_flipped && gate.max_line_error);
+    folder_.write("job.json", job_text(job_, folder_.path()));
+    const CommandRun run = run_tapeline({"run", file("job.json"), "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+    const CommandRun check = run_tapeline({"check",
+                                           file("moved.obj"),
+                                           "--against",
+                                           file("rest.obj"),
+                                           "--stats",
+                                           file("stats.json"),
+                                           "--target",
+                                           file("target.json"),
+                                           "--max-bulge",
+                                           "0.1",
+                                           "--max-inflections",
+                                           "0",
+                                           "--min-squash",
+                                           "0.6",
+                                           "--max-flipped",
+                                           "0",
+                                           "--max-turning-increase",
+                                           "1",
+                                           "--max-line-error",
+                                           "1e-9",
+                                           "--quiet"});
+    EXPECT_EQ(check.exit_code, 0) << check.err << check.out;
+}
+
+TEST_P(OurJobs, WriteResultsStatisticsAndPicturesOutsideTheSources)
+{
+    EXPECT_EQ(asked_.out.size(), 2U);
+    for (const fs::path& path : {asked_.out.at(0), asked_.stats, asked_.pictures}) {
+        EXPECT_NE(path.string().find("/build/demo/"), std::string::npos) << path;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Job, OurJobs,
+                         ::testing::Values("hood.json", "panel.json", "wheel_arch.json", "pawn.json", "bracket.json"),
+                         [](const auto& info) {
+                             return std::string(info.param).substr(0, std::string(info.param).find('.'));
+                         });
+
+} // namespace
+} // namespace tapeline::testing
