@@ -74,8 +74,8 @@ TEST_P(OurJobs, WriteResultsStatisticsAndPicturesOutsideTheSources)
 
 INSTANTIATE_TEST_SUITE_P(Job, OurJobs,
                          ::testing::Values("hood.json", "panel.json", "wheel_arch.json", "pawn.json", "bracket.json"),
-                         [](const auto& info) {
-                             return std::string(info.param).substr(0, std::string(info.param).find('.'));
+                         [](const auto& entry) {
+                             return std::string(entry.param).substr(0, std::string(entry.param).find('.'));
                          });
 
 } // namespace
