@@ -2,8 +2,8 @@
 #include "kernel/parallel.h"
 #include "tests/bspline/curves.h"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <random>
@@ -206,14 +206,14 @@ TEST(Foot, TakesMicrosecondsOnALongLine)
     }
     data.knots.insert(data.knots.end(), 3, n - 3.0);
     const TargetLine line = line_of(data);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock(); // processor time: the machine may be busy
     double sum = 0;
     for (int i = 0; i < n; ++i) {
         sum += line.foot(random_point(sequence, Vec3(0, -5, -5), Vec3(n, 5, 5))).distance;
     }
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     EXPECT_GT(sum, 0);
-    EXPECT_LT(seconds, 5) << "10000 feet on 10000 spans"; // about 0.1 s on an idle machine
+    EXPECT_LT(seconds, 5) << "10000 feet on 10000 spans"; // about 0.1 s, with sanitizers 2 s
 }
 
 } // namespace

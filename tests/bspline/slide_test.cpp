@@ -94,7 +94,7 @@ TEST(Slide, OnACylinderGoesRoundByTheAngle)
 
 TEST(Slide, OfASpheresEquatorIsAParallelOfLatitude)
 {
-    const Mesh ball = sphere(100, 200);
+    const Mesh ball = sphere(100, 90);
     const TargetLine equator =
         fitted(200, true, [](double t) { return Vec3(100 * std::cos(2 * pi * t), 100 * std::sin(2 * pi * t), 0); });
     for (const double distance : {30.0, -50.0}) {
