@@ -108,11 +108,15 @@ Result<std::vector<Picture>> draw_move(const MoveResult& move, const TargetCurve
 
     Album album;
     const Camera camera = fit_camera(before, move.region.faces);
+    // The same stripes before and after, or the two could not be compared.
+    const double zebra_period = fit_zebra(before, camera, move.region.faces);
     const auto add = [&](const std::string& kind, const std::string& title, Shading shading, bool lines,
                          const std::vector<double>& values_before, const std::vector<double>& values_after) {
         PictureOptions options;
         options.shading = shading;
         options.camera = camera;
+        options.zebra_period = zebra_period;
+        options.sharp_lines = {line.vertices};
         options.values = values_before;
         options.lines = lines ? std::vector{old_line, new_line} : std::vector<PictureLine>{};
         album.add(fmt::format("before_{}.png", kind), title + ", before",
