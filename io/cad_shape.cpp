@@ -2,8 +2,8 @@
 #include "io/cad_shape.h"
 
 #include "io/cad_envelope.h"
+#include "io/child_process.h"
 #include "io/file_content.h"
-#include "io/quiet_occt.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -21,15 +21,13 @@
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <fmt/format.h>
-#include <mutex>
 #include <sstream>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 std::string unit_symbol(std::string name)
 {
@@ -136,53 +134,136 @@ Result<TopoDS_Shape> read_brep(const std::string& path, std::string_view content
     return shape;
 }
 
-Result<TopoDS_Shape> read_shape(const std::string& path, FileFormat format, CadShape& result)
+Result<TopoDS_Shape> read_shape(const std::string& path, FileFormat format, std::string_view content, CadShape& result)
 {
-    const auto content = read_file_content(path);
-    if (!content) {
-        return tl::unexpected(content.error());
-    }
-    if (const auto whole = check_cad_envelope(format, content->view(), path); !whole) {
-        return tl::unexpected(whole.error());
-    }
-    static std::mutex one_at_a_time;
-    const std::lock_guard lock(one_at_a_time);
-    const QuietOcct quiet;
     switch (format) {
     case FileFormat::step:
-        return read_step(path, content->view(), result);
+        return read_step(path, content, result);
     case FileFormat::iges:
         return read_iges(path, result);
     case FileFormat::brep:
     case FileFormat::brep_binary:
         result.units = "mm";
-        return read_brep(path, content->view(), format);
+        return read_brep(path, content, format);
     default:
         return fail(ErrorKind::unreadable, fmt::format("{} is not a STEP, IGES or BREP file", path));
     }
 }
 
+void put(std::string& message, std::string_view part)
+{
+    message += fmt::format("{}:", part.size());
+    message += part;
+}
+
+/// The next part of a message made by `put`.
+std::string_view take(std::string_view& message)
+{
+    size_t size = 0;
+    const size_t colon = message.find(':');
+    std::from_chars(message.data(), message.data() + std::min(colon, message.size()), size);
+    const std::string_view part = message.substr(std::min(colon, message.size() - 1) + 1, size);
+    message.remove_prefix(std::min(message.size(), colon + 1 + size));
+    return part;
+}
+
+/// What the reading process sends: kind of error (empty = none) and its sentence, or unit, shape and warnings.
+std::string read_and_pack(const std::string& path, FileFormat format, std::string_view content)
+{
+    std::string message;
+    const auto failed = [&message](ErrorKind kind, const std::string& sentence) {
+        message.clear();
+        put(message, fmt::format("{}", static_cast<int>(kind)));
+        put(message, sentence);
+        return message;
+    };
+    try {
+        CadShape result;
+        const auto shape = read_shape(path, format, content, result);
+        if (!shape) {
+            return failed(shape.error().kind, shape.error().message);
+        }
+        std::ostringstream bytes;
+        BinTools::Write(*shape, bytes, false, false, BinTools_FormatVersion_CURRENT);
+        put(message, "");
+        put(message, result.units);
+        put(message, bytes.view());
+        for (const std::string& warning : result.warnings) {
+            put(message, warning);
+        }
+        return message;
+    } catch (const Standard_Failure& failure) {
+        return failed(ErrorKind::unreadable,
+                      fmt::format("{} cannot be read: OpenCASCADE reports {} {}; export the file again", path,
+                                  failure.DynamicType()->Name(), failure.GetMessageString()));
+    } catch (const std::exception& failure) {
+        return failed(ErrorKind::unreadable,
+                      fmt::format("{} cannot be read: {}; export the file again", path, failure.what()));
+    }
+}
+
+/// Reads in a process of its own: OpenCASCADE's readers end theirs on many a damaged file (an entity of the wrong kind
+/// where a point is due is enough), and they write to standard output, where a program's results go.
+Result<std::string> packed_shape(const std::string& path, FileFormat format, std::string_view content)
+{
+    constexpr int limit_seconds = 900;
+    ChildOutput output = run_in_child([&] { return read_and_pack(path, format, content); }, limit_seconds);
+    switch (output.end) {
+    case ChildEnd::finished:
+        return std::move(output.bytes);
+    case ChildEnd::crashed:
+        return fail(ErrorKind::unreadable,
+                    fmt::format("{} is damaged: OpenCASCADE's reader breaks down on it; export the file again", path));
+    case ChildEnd::timed_out:
+        return fail(ErrorKind::unreadable,
+                    fmt::format("{} is not read after {} minutes; export only the part that is needed", path,
+                                limit_seconds / 60));
+    case ChildEnd::not_started:
+        break;
+    }
+    return fail(ErrorKind::unreadable,
+                fmt::format("{} cannot be read: no process can be started; end other programs first", path));
+}
+
 } // namespace
 
-Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat format, CadContent content)
+Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat format, CadContent wanted)
 {
     const std::string name = path.string();
     try {
-        CadShape result;
-        auto shape = read_shape(name, format, result);
-        if (!shape) {
-            return tl::unexpected(shape.error());
+        const auto content = read_file_content(path);
+        if (!content) {
+            return tl::unexpected(content.error());
         }
-        const bool curves = TopExp_Explorer(*shape, TopAbs_EDGE).More();
-        if (content == CadContent::curves && !curves) {
+        if (const auto whole = check_cad_envelope(format, content->view(), name); !whole) {
+            return tl::unexpected(whole.error());
+        }
+        const auto packed = packed_shape(name, format, content->view());
+        if (!packed) {
+            return tl::unexpected(packed.error());
+        }
+        std::string_view message = *packed;
+        if (const std::string_view error = take(message); !error.empty()) {
+            return fail(static_cast<ErrorKind>(error.front() - '0'), std::string(take(message)));
+        }
+        CadShape result;
+        result.units = take(message);
+        std::istringstream bytes{std::string(take(message))};
+        while (!message.empty()) {
+            result.warnings.emplace_back(take(message));
+        }
+        TopoDS_Shape shape;
+        BinTools::Read(shape, bytes);
+        const bool curves = TopExp_Explorer(shape, TopAbs_EDGE).More();
+        if (wanted == CadContent::curves && !curves) {
             return fail(ErrorKind::rejected, fmt::format("{} holds no curve; export the line as a curve or edge", name));
         }
-        if (content == CadContent::faces && !TopExp_Explorer(*shape, TopAbs_FACE).More()) {
+        if (wanted == CadContent::faces && !TopExp_Explorer(shape, TopAbs_FACE).More()) {
             return fail(ErrorKind::rejected,
                         fmt::format("{} holds {} but no surface; export the part's faces or solids", name,
                                     curves ? "curves" : "points"));
         }
-        result.shape = std::make_shared<TopoDS_Shape>(std::move(*shape));
+        result.shape = std::make_shared<TopoDS_Shape>(std::move(shape));
         return result;
     } catch (const Standard_Failure& failure) {
         return fail(ErrorKind::unreadable,

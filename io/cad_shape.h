@@ -30,8 +30,8 @@ enum class CadContent {
 
 /// Reads STEP (AP203, AP214, AP242), IGES or BREP (text or binary). Units are taken from the file; a BREP has none and
 /// counts as mm. Fails with ErrorKind::unreadable (not whole, not parsed) or ErrorKind::rejected (nothing of the wanted
-/// content in it).
-/// One file at a time: OpenCASCADE's readers share their settings, so calls from several threads wait for each other.
+/// content in it). The file is parsed in a process of its own, so that a file on which OpenCASCADE breaks down is a
+/// failure like any other; nothing is printed.
 Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat format,
                                 CadContent content = CadContent::faces);
 

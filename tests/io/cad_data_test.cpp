@@ -5,10 +5,12 @@
 #include "tests/io/cad_shapes.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <TopoDS_Edge.hxx>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <random>
 
 using namespace tapeline;
 using namespace tapeline::testing;
@@ -92,6 +94,21 @@ TEST(CadData, KeepsTheEighteenPartsOfTheAssemblyApart)
     EXPECT_EQ(component_count(read->model.mesh), 18);
 }
 
+TEST(CadData, ReadsTheSamePartInInchesFromStepAndFromStl)
+{
+    if (data_file("").empty()) {
+        GTEST_SKIP() << "TAPELINE_DATA is not set";
+    }
+    const auto cad = read_coarse(data_file("models/featuretype.STEP"));
+    ImportOptions inches;
+    inches.units_mm = 25.4;
+    const auto stl = read_model(data_file("models/featuretype.STL"), inches);
+    ASSERT_TRUE(cad && stl);
+    EXPECT_NEAR(bounding_diagonal(cad->model.mesh.V), bounding_diagonal(stl->model.mesh.V), 0.05);
+    EXPECT_NEAR(enclosed_volume(cad->model.mesh), enclosed_volume(stl->model.mesh),
+                0.005 * enclosed_volume(stl->model.mesh));
+}
+
 TEST_P(Unreadable, IsRefusedInOneSentence)
 {
     const auto path = data_file(std::string("nasty/stepcode_") + GetParam());
@@ -146,6 +163,45 @@ TEST(CadData, RefusesCountsLargerThanTheFile)
         text.insert(text.find(table) + std::string_view(table).size(), "99999999");
         write_text(folder / "counts.brep", text);
         expect_refused(folder / "counts.brep");
+    }
+}
+
+TEST(CadData, RefusesAFileOnWhichTheReaderBreaksDown)
+{
+    // A vertex whose point is an entity of an unknown kind: OpenCASCADE follows a null pointer there.
+    const ScratchFolder folder;
+    write_step(folder / "whole.step", BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+    const auto whole = read_file_content(folder / "whole.step");
+    ASSERT_TRUE(whole);
+    std::string text(whole->view());
+    const size_t vertex = text.find("VERTEX_POINT('',#");
+    ASSERT_NE(vertex, std::string::npos);
+    const size_t number = text.find('#', vertex);
+    const std::string point = "\n" + text.substr(number, text.find(')', number) - number) + " = CARTESIAN_POINT";
+    text.replace(text.find(point) + point.size() - 15, 15, "CARTESIAN_PAINT");
+    write_text(folder / "damaged.step", text);
+    expect_refused(folder / "damaged.step");
+}
+
+TEST(CadData, SurvivesFilesWithAnyByteChanged)
+{
+    const ScratchFolder folder;
+    write_step(folder / "whole.step", BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+    const auto whole = read_file_content(folder / "whole.step");
+    ASSERT_TRUE(whole);
+    std::mt19937 sequence(3);
+    for (int i = 0; i < 60; ++i) {
+        std::string text(whole->view());
+        for (int k = 0; k < 3; ++k) {
+            text[sequence() % text.size()] = "0123456789#$*(),'-+.E"[sequence() % 21];
+        }
+        write_text(folder / "changed.step", text);
+        const auto read = read_cad(folder / "changed.step", {});
+        if (read) {
+            EXPECT_TRUE(read->model.mesh.V.allFinite());
+        } else {
+            EXPECT_NE(read.error().message.find("changed.step"), std::string::npos) << read.error().message;
+        }
     }
 }
 

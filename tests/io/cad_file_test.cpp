@@ -159,9 +159,11 @@ TEST(CadFile, ClosesSeamsAndPoles)
     const std::pair<TopoDS_Shape, double> solids[] = {{BRepPrimAPI_MakeSphere(10).Shape(), 4 * pi / 3 * 1000},
                                                       {BRepPrimAPI_MakeTorus(20, 5).Shape(), 2 * pi * pi * 20 * 25},
                                                       {BRepPrimAPI_MakeCone(10, 0, 20).Shape(), pi * 100 * 20 / 3}};
+    ImportOptions coarse;
+    coarse.linear_deflection_mm = 0.02;
     for (const auto& [solid, volume] : solids) {
         write_step(folder / "solid.step", solid);
-        const auto read = read_cad(folder / "solid.step", {});
+        const auto read = read_cad(folder / "solid.step", coarse);
         ASSERT_TRUE(read) << read.error().message;
         EXPECT_EQ(read->report.border_edges, 0);
         EXPECT_EQ(component_count(read->model.mesh), 1);
@@ -189,7 +191,9 @@ TEST(CadFile, GivesTheSameBytesTwice)
 {
     const ScratchFolder folder;
     write_step(folder / "torus.step", BRepPrimAPI_MakeTorus(20, 5).Shape());
-    const auto first = read_cad(folder / "torus.step", {}), second = read_cad(folder / "torus.step", {});
+    ImportOptions coarse;
+    coarse.linear_deflection_mm = 0.02;
+    const auto first = read_cad(folder / "torus.step", coarse), second = read_cad(folder / "torus.step", coarse);
     ASSERT_TRUE(first && second);
     EXPECT_TRUE(first->model.mesh.V == second->model.mesh.V);
     EXPECT_TRUE(first->model.mesh.F == second->model.mesh.F);
