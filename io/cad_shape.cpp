@@ -122,6 +122,7 @@ Result<TopoDS_Shape> read_brep(const std::string& path, std::string_view content
 {
     TopoDS_Shape shape;
     std::istringstream stream{std::string(content)};
+    stream.exceptions(std::ios::failbit | std::ios::badbit); // the reader itself loops on where a number is not one
     if (format == FileFormat::brep_binary) {
         BinTools::Read(shape, stream);
     } else {
@@ -206,7 +207,7 @@ std::string read_and_pack(const std::string& path, FileFormat format, std::strin
 /// where a point is due is enough), and they write to standard output, where a program's results go.
 Result<std::string> packed_shape(const std::string& path, FileFormat format, std::string_view content)
 {
-    constexpr int limit_seconds = 900;
+    const int limit_seconds = static_cast<int>(60 + std::min<size_t>(content.size() / 50'000, 100'000));
     ChildOutput output = run_in_child([&] { return read_and_pack(path, format, content); }, limit_seconds);
     switch (output.end) {
     case ChildEnd::finished:
@@ -215,9 +216,10 @@ Result<std::string> packed_shape(const std::string& path, FileFormat format, std
         return fail(ErrorKind::unreadable,
                     fmt::format("{} is damaged: OpenCASCADE's reader breaks down on it; export the file again", path));
     case ChildEnd::timed_out:
-        return fail(ErrorKind::unreadable,
-                    fmt::format("{} is not read after {} minutes; export only the part that is needed", path,
-                                limit_seconds / 60));
+        return fail(
+            ErrorKind::unreadable,
+            fmt::format("{} is not read after {} s, it may be damaged; export it again, or only the part needed", path,
+                        limit_seconds));
     case ChildEnd::not_started:
         break;
     }

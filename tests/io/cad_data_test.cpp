@@ -186,21 +186,26 @@ TEST(CadData, RefusesAFileOnWhichTheReaderBreaksDown)
 TEST(CadData, SurvivesFilesWithAnyByteChanged)
 {
     const ScratchFolder folder;
-    write_step(folder / "whole.step", BRepPrimAPI_MakeBox(10, 20, 30).Shape());
-    const auto whole = read_file_content(folder / "whole.step");
-    ASSERT_TRUE(whole);
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
+    write_step(folder / "whole.step", box);
+    write_brep(folder / "whole.brep", box);
     std::mt19937 sequence(3);
-    for (int i = 0; i < 60; ++i) {
-        std::string text(whole->view());
-        for (int k = 0; k < 3; ++k) {
-            text[sequence() % text.size()] = "0123456789#$*(),'-+.E"[sequence() % 21];
-        }
-        write_text(folder / "changed.step", text);
-        const auto read = read_cad(folder / "changed.step", {});
-        if (read) {
-            EXPECT_TRUE(read->model.mesh.V.allFinite());
-        } else {
-            EXPECT_NE(read.error().message.find("changed.step"), std::string::npos) << read.error().message;
+    for (const char* ending : {".step", ".brep"}) {
+        const auto whole = read_file_content(folder / (std::string("whole") + ending));
+        ASSERT_TRUE(whole);
+        const std::string name = std::string("changed") + ending;
+        for (int i = 0; i < 40; ++i) {
+            std::string text(whole->view());
+            for (int k = 0; k < 3; ++k) {
+                text[sequence() % text.size()] = "0123456789#$*(),'-+.E"[sequence() % 21];
+            }
+            write_text(folder / name, text);
+            const auto read = read_cad(folder / name, {});
+            if (read) {
+                EXPECT_TRUE(read->model.mesh.V.allFinite());
+            } else {
+                EXPECT_NE(read.error().message.find(name), std::string::npos) << read.error().message;
+            }
         }
     }
 }
