@@ -6,11 +6,9 @@
 #include <fmt/format.h>
 #include <optional>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 tl::unexpected<Error> cut_short(const std::string& path, const std::string& what)
 {

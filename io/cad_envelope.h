@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Checks that a CAD file is whole before OpenCASCADE reads it, whose readers may end the process on a file that is
 /// cut short: STEP must reach END-ISO-10303-21, the IGES sections must have the line counts that the terminate line

@@ -258,7 +258,8 @@ Result<CadShape> read_cad_shape(const std::filesystem::path& path, FileFormat fo
         BinTools::Read(shape, bytes);
         const bool curves = TopExp_Explorer(shape, TopAbs_EDGE).More();
         if (wanted == CadContent::curves && !curves) {
-            return fail(ErrorKind::rejected, fmt::format("{} holds no curve; export the line as a curve or edge", name));
+            return fail(ErrorKind::rejected,
+                        fmt::format("{} holds no curve; export the line as a curve or edge", name));
         }
         if (wanted == CadContent::faces && !TopExp_Explorer(shape, TopAbs_FACE).More()) {
             return fail(ErrorKind::rejected,

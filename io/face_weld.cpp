@@ -15,15 +15,12 @@
 #include <cmath>
 #include <numeric>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Sets of nodes that are one vertex; the smallest node stands for its set.
-class NodeSets
-{
+class NodeSets {
 public:
     explicit NodeSets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
     int find(int node)
@@ -45,8 +42,7 @@ private:
 };
 
 /// Collects which nodes of which face lie where on the CAD edges and vertices, and joins them.
-class Welder
-{
+class Welder {
 public:
     explicit Welder(const CadFaces& faces) : faces_(faces), start_(faces.faces.size() + 1, 0)
     {

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Triangles of all faces joined into one mesh.
 struct WeldedFaces {

@@ -9,11 +9,9 @@
 #include <map>
 #include <numeric>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 void keep_faces(Model& model, const std::vector<char>& keep)
 {

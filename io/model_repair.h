@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// What `repair_model` found and did.
 struct RepairCounts {

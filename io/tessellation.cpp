@@ -17,11 +17,9 @@
 #include <fmt/format.h>
 #include <numbers>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 TopoDS_Compound compound_of(const CadFaces& faces)
 {

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Triangulates every face in place with OpenCASCADE (Delabella; absolute deflections: chord height in mm, angle in
 /// degrees), with one subdivision of each CAD edge for all faces along it. One thread, so that equal input gives equal

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tapeline
-{
+namespace tapeline {
 
 UvDomain::UvDomain(std::vector<Segment> segments) : segments_(std::move(segments))
 {

@@ -5,12 +5,10 @@
 #include <array>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// The trimmed part of a parameter plane, bounded by closed polygons (outer borders and holes, any sense).
-class UvDomain
-{
+class UvDomain {
 public:
     using Segment = std::array<Eigen::Vector2d, 2>;
 

@@ -3,8 +3,7 @@
 
 #include <TopoDS_Shape.hxx>
 
-namespace tapeline::models
-{
+namespace tapeline::models {
 
 /// A hood, 1400 × 1200 mm, crowned both ways (radii about 3 m and 1.8 m). A gently bent character line crosses it from
 /// the rim at x = 0, where it is 20° sharp, keeps that to x = 250 and fades to nothing at x = 1250; from there to the

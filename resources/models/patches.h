@@ -8,8 +8,7 @@
 #include <gp_Pnt.hxx>
 #include <vector>
 
-namespace tapeline::models
-{
+namespace tapeline::models {
 
 /// A parameter direction of a B-spline surface: distinct break points (ascending, simple inner knots) and a degree.
 struct Direction {

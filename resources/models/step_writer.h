@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace tapeline::models
-{
+namespace tapeline::models {
 
 /// Writes a shape as STEP AP214 in mm. The header holds no date of its own, so that equal shapes give equal bytes.
 /// Throws std::runtime_error naming the file.
