@@ -153,19 +153,16 @@ Result<void> run_target(const Job& job, Console& console)
         return fine;
     }
     OutputSet outputs;
-    return read_input(job, console.progress()).and_then([&](const ImportedModel& imported) {
-        console.warn(imported.report.warnings);
-        const auto lines = find_feature_lines(imported.model, line_options(job.lines));
-        return choose_line(imported.model, lines, job.lines.line)
-            .and_then([&](const FeatureLine& line) { return make_target(imported.model, line, job.target); })
-            .and_then([&](const TargetChoice& target) {
-                console.warn(target.warnings);
-                outputs.add(job.command.out_target,
-                            [&](const fs::path& path) { return write_target(path, target.line); });
-                return outputs.check(job.input).and_then([&] { return outputs.commit(); }).map([&] {
-                    console.print(target_table(target));
-                });
-            });
+    Stopwatch watch;
+    return prepare_target(job, watch, console.progress()).and_then([&](const Preparation& made) {
+        for (const auto* warnings : {&made.import.warnings, &made.warnings, &made.target->warnings}) {
+            console.warn(*warnings);
+        }
+        outputs.add(job.command.out_target,
+                    [&](const fs::path& path) { return write_target(path, made.target->line); });
+        return outputs.check(job.input).and_then([&] { return outputs.commit(); }).map([&] {
+            console.print(target_table(*made.target));
+        });
     });
 }
 

@@ -329,7 +329,7 @@ std::string help_text(const Option& option)
     const json value = option_default(option);
     if (value.is_number()) {
         notes.push_back(value == 0 && !option.zero.empty() ? fmt::format("default 0: {}", option.zero)
-                                                           : fmt::format("default {}", value.dump()));
+                                                           : fmt::format("default {}", value.get<double>()));
     } else if (value.is_string() && !value.get<std::string>().empty()) {
         notes.push_back(fmt::format("default {}", value.get<std::string>()));
     }

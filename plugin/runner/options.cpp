@@ -53,12 +53,12 @@ void add_model_options(std::vector<Option>& table)
         {.section = "import", .name = "sew_tolerance", .slot = at<i, &I::sew_tolerance>, .commands = reading,
          .help = "CAD input: gaps up to this size between faces are closed.", .unit = "mm", .min = 0,
          .zero = "0.001 mm"},
-        {.section = "remesh", .name = "remesh", .slot = at<r, &R::remesh>, .commands = moving,
-         .help = "Give the region even triangles before the move; auto does so for CAD input only.",
+        {.section = "remesh", .name = "remesh", .slot = at<r, &R::remesh>, .commands = choosing,
+         .help = "Give the surroundings of the line even triangles first; auto does so for CAD input only.",
          .choices = {"auto", "on", "off"}},
-        {.section = "remesh", .name = "max_edge", .slot = at<r, &R::max_edge>, .commands = mesh_command | moving,
+        {.section = "remesh", .name = "max_edge", .slot = at<r, &R::max_edge>, .commands = mesh_command | choosing,
          .help = "Edge length that remeshing aims at.", .unit = "mm", .min = 0,
-         .zero = "mesh: no remeshing; move: from the line's length"},
+         .zero = "mesh: no remeshing; otherwise from the line's length"},
     });
 }
 

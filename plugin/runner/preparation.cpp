@@ -203,6 +203,20 @@ ImportOptions import_options(const ImportSettings& settings)
     return options;
 }
 
+Result<Preparation> prepare_target(const Job& job, Stopwatch& watch, const Progress& progress)
+{
+    if (const auto chosen = check_line_chosen(job.lines.line); !chosen) {
+        return tl::unexpected(chosen.error());
+    }
+    const bool on_surface = !job.target.slide.empty() || job.target.on_surface;
+    Preparer preparer(job, watch, progress);
+    return preparer.read()
+        .and_then([&] { return preparer.find_line(); })
+        .and_then([&] { return preparer.find_target(); })
+        .and_then([&] { return on_surface ? preparer.remesh() : Result<void>(); })
+        .map([&] { return preparer.finish(); });
+}
+
 Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& progress)
 {
     if (!changes_line(job.target)) {
@@ -212,15 +226,12 @@ Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& pr
         return tl::unexpected(chosen.error());
     }
     Preparer preparer(job, watch, progress);
-    const Result<void> done = preparer.read()
-                                  .and_then([&] { return preparer.find_line(); })
-                                  .and_then([&] { return preparer.find_target(); })
-                                  .and_then([&] { return preparer.remesh(); })
-                                  .and_then([&] { return preparer.find_region(); });
-    if (!done) {
-        return tl::unexpected(done.error());
-    }
-    return preparer.finish();
+    return preparer.read()
+        .and_then([&] { return preparer.find_line(); })
+        .and_then([&] { return preparer.find_target(); })
+        .and_then([&] { return preparer.remesh(); })
+        .and_then([&] { return preparer.find_region(); })
+        .map([&] { return preparer.finish(); });
 }
 
 } // namespace tapeline

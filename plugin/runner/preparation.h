@@ -38,6 +38,10 @@ ImportOptions import_options(const ImportSettings& settings);
 /// Length of one unit of mesh files [mm].
 double unit_length_mm(const std::string& unit);
 
+/// The first half of `prepare`: a target line for the job, on the model as imported or, where the line is slid or laid
+/// on a CAD surface, on its remeshed surroundings, which lie closer to the exact surface. Leaves `region` empty.
+Result<Preparation> prepare_target(const Job& job, Stopwatch& watch, const Progress& progress);
+
 /// Reads the model, finds and picks the line, makes the target, remeshes where asked or needed, and chooses the region.
 /// Stages that were run are added to `watch`.
 Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& progress);

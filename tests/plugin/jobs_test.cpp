@@ -74,9 +74,7 @@ TEST_P(OurJobs, WriteResultsStatisticsAndPicturesOutsideTheSources)
 
 INSTANTIATE_TEST_SUITE_P(Job, OurJobs,
                          ::testing::Values("hood.json", "panel.json", "wheel_arch.json", "pawn.json", "bracket.json"),
-                         [](const auto& entry) {
-                             return std::string(entry.param).substr(0, std::string(entry.param).find('.'));
-                         });
+                         [](const auto& job) { return fs::path(job.param).stem().string(); });
 
 } // namespace
 } // namespace tapeline::testing
