@@ -7,8 +7,7 @@
 #include <new>
 #include <system_error>
 
-namespace tapeline
-{
+namespace tapeline {
 
 Result<std::size_t> regular_file_size(const std::filesystem::path& path)
 {

@@ -8,13 +8,11 @@
 #include <memory>
 #include <string_view>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// The bytes of one file, read in one go. Not memory-mapped: a mapped file that another program shortens meanwhile
 /// would end the process.
-class FileContent
-{
+class FileContent {
 public:
     FileContent() = default;
     FileContent(std::unique_ptr<char[]> bytes, std::size_t size) : bytes_(std::move(bytes)), size_(size) {}

@@ -3,8 +3,7 @@
 
 #include "io/file_format.h"
 
-namespace tapeline
-{
+namespace tapeline {
 
 Result<ImportedModel> read_model(const std::filesystem::path& path, const ImportOptions& options)
 {

@@ -6,11 +6,9 @@
 #include <iostream>
 #include <mutex>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 std::recursive_mutex& one_thread_at_a_time()
 {

@@ -3,13 +3,11 @@
 
 #include <memory>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// While it lives, OpenCASCADE's messages go nowhere instead of to standard output. Messages and the settings of its
 /// readers and writers belong to the whole process, so only one thread at a time has one; others wait.
-class QuietOcct
-{
+class QuietOcct {
 public:
     QuietOcct();
     ~QuietOcct();

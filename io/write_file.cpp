@@ -20,9 +20,9 @@ Result<void> write_file_atomically(const std::filesystem::path& path, std::strin
         file.close();
         if (!file) {
             std::filesystem::remove(temporary, error);
-            return fail(ErrorKind::unreadable,
-                        fmt::format("cannot write {}: check that the folder exists, is writable and has room",
-                                    path.string()));
+            return fail(
+                ErrorKind::unreadable,
+                fmt::format("cannot write {}: check that the folder exists, is writable and has room", path.string()));
         }
     }
     std::filesystem::rename(temporary, path, error);

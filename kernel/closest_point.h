@@ -11,9 +11,9 @@ namespace tapeline {
 /// A point on a mesh, and where it is.
 struct MeshFoot {
     Vec3 point = Vec3::Zero();
-    int face = -1;                     ///< triangle index in the mesh that the tree was built from
-    Vec3 barycentric = Vec3::Zero();   ///< weights of the triangle's three corners; sum 1, each ≥ 0
-    double distance = 0;               ///< to the query point [mm]
+    int face = -1;                   ///< triangle index in the mesh that the tree was built from
+    Vec3 barycentric = Vec3::Zero(); ///< weights of the triangle's three corners; sum 1, each ≥ 0
+    double distance = 0;             ///< to the query point [mm]
 };
 
 /// Axis-aligned bounding-box tree over the triangles of a mesh (CGAL AABB_tree behind a light face).

@@ -7,11 +7,9 @@
 #include <cmath>
 #include <map>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Triangle = std::array<int, 3>;
 using Chain = std::vector<int>;

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// A new vertex on the edge a–b at (1 - t) V[a] + t V[b], 0 < t < 1.
 struct EdgePoint {

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 enum class ExtensionPath {
     geodesic, ///< straight across triangles, which are cut: new vertices are appended (default)

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Where an extension of the line may run. Refers to a mesh and its topology that must outlive it.
 struct RouteSpace {
@@ -24,8 +23,7 @@ struct RouteSpace {
 };
 
 /// Shortest distances from one vertex over the mid-points of the edges that may be crossed.
-class Corridor
-{
+class Corridor {
 public:
     Corridor(const RouteSpace& space, int from);
 

@@ -6,12 +6,10 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// The region as the extension sees it: its border loops, the line in it, other feature lines, inner constraints.
-class ExtensionSpace
-{
+class ExtensionSpace {
 public:
     /// `mesh` must outlive the space.
     ExtensionSpace(const Mesh& mesh, const Region& region);

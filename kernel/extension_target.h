@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Share h(s / length) of the end displacement that is left at arc length s beyond the line's end: a cubic Hermite
 /// blend from 1 with the given slope dh/ds at 0 to 0 with slope 0 at `length`, the slope limited to [-3 / length, 0] so

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Removes from a path what rounding, snapping and detours leave: repeated points, two points on one edge, points on
 /// an edge next to one of its ends, loops, and detours inside one triangle.

@@ -5,15 +5,12 @@
 #include <numeric>
 #include <tuple>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 /// Disjoint sets over the 3 m triangle corners.
-class CornerSets
-{
+class CornerSets {
 public:
     explicit CornerSets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
 

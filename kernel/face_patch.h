@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// Two vertex indices, smaller first.
 using VertexPair = std::array<int, 2>;

@@ -10,14 +10,11 @@
 #include <exception>
 #include <fmt/format.h>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace quality
-{
+namespace quality {
 
-namespace
-{
+namespace {
 
 /// Unit normals and areas of all triangles.
 void measure_faces(const Mesh& mesh, Positions& normals, std::vector<double>& areas)

@@ -7,14 +7,9 @@
 #include <vector>
 
 /// Inside of kernel/quality: what the measures share. Not for other modules.
-namespace tapeline::quality
-{
+namespace tapeline::quality {
 
-enum class SideOf : char {
-    none,
-    compressed,
-    tension
-};
+enum class SideOf : char { none, compressed, tension };
 
 /// The input with what several measures need of it, computed once.
 struct Context {

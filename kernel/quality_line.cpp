@@ -7,11 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace tapeline::quality
-{
+namespace tapeline::quality {
 
-namespace
-{
+namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 

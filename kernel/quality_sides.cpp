@@ -7,19 +7,13 @@
 #include <queue>
 #include <tuple>
 
-namespace tapeline
-{
+namespace tapeline {
 
 std::pair<std::vector<int>, std::vector<int>> sides_of_line(const Mesh& mesh, const std::vector<int>& faces,
                                                             const std::vector<int>& line, bool closed)
 {
     const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
-    enum Side : char {
-        outside,
-        unreached,
-        left,
-        right
-    };
+    enum Side : char { outside, unreached, left, right };
     std::vector<char> side(mesh.F.rows(), outside);
     for (const int t : faces) {
         side[t] = unreached;

@@ -9,11 +9,9 @@
 #include <limits>
 #include <numeric>
 
-namespace tapeline::quality
-{
+namespace tapeline::quality {
 
-namespace
-{
+namespace {
 
 constexpr double relative_tolerance = 1e-6;
 /// Vertices without a mirrored vertex may lie on a mirrored triangle instead (a cut for the extension need not be
@@ -50,8 +48,7 @@ std::vector<Mirror> candidates(const Positions& V)
 }
 
 /// Finds vertices by position: sorted along a direction in which few share a coordinate.
-class VertexSearch
-{
+class VertexSearch {
 public:
     explicit VertexSearch(const Positions& V) : V_(V), order_(V.rows()), keys_(V.rows())
     {

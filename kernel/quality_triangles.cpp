@@ -7,15 +7,12 @@
 #include <cmath>
 #include <limits>
 
-namespace tapeline::quality
-{
+namespace tapeline::quality {
 
-namespace
-{
+namespace {
 
 /// The rest line's edges, searched by distance with a box around every few of them.
-class LineSearch
-{
+class LineSearch {
 public:
     explicit LineSearch(const Context& context) : context_(context)
     {

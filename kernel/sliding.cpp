@@ -9,11 +9,9 @@
 #include <optional>
 #include <vector>
 
-namespace tapeline
-{
+namespace tapeline {
 
-namespace
-{
+namespace {
 
 using Vec2 = Eigen::Vector2d;
 constexpr double pi = std::numbers::pi;
@@ -41,8 +39,7 @@ struct Departure {
     double angle = 0;
 };
 
-class Walk
-{
+class Walk {
 public:
     Walk(const Mesh& mesh, const Topology& topology) : mesh_(mesh), topology_(topology) {}
 

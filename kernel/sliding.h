@@ -4,8 +4,7 @@
 #include "kernel/mesh.h"
 #include "kernel/topology.h"
 
-namespace tapeline
-{
+namespace tapeline {
 
 /// A point on a mesh given by a triangle and barycentric weights.
 struct MeshPoint {

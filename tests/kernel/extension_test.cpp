@@ -12,8 +12,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 Vec3 still(const Vec3&) { return Vec3::Zero(); }
 

@@ -11,8 +11,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 constexpr double pi = std::numbers::pi;
 

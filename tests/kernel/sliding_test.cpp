@@ -12,8 +12,7 @@
 using namespace tapeline;
 using namespace tapeline::testing;
 
-namespace
-{
+namespace {
 
 constexpr double pi = std::numbers::pi;
 
