@@ -54,7 +54,8 @@ void add_model_options(std::vector<Option>& table)
          .help = "CAD input: gaps up to this size between faces are closed.", .unit = "mm", .min = 0,
          .zero = "0.001 mm"},
         {.section = "remesh", .name = "remesh", .slot = at<r, &R::remesh>, .commands = choosing,
-         .help = "Give the surroundings of the line even triangles first; auto does so for CAD input only.",
+         .help = "Give the surroundings of the line even triangles first; auto does so for CAD input and when max_edge "
+                 "is given.",
          .choices = {"auto", "on", "off"}},
         {.section = "remesh", .name = "max_edge", .slot = at<r, &R::max_edge>, .commands = mesh_command | choosing,
          .help = "Edge length that remeshing aims at.", .unit = "mm", .min = 0,

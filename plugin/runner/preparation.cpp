@@ -3,6 +3,7 @@
 
 #include "kernel/correspondence.h"
 #include "kernel/remesh.h"
+#include "plugin/runner/line_refinement.h"
 #include "plugin/runner/region_choice.h"
 #include "plugin/runner/remeshing.h"
 #include "plugin/runner/vertex_list.h"
@@ -36,8 +37,9 @@ public:
     Result<void> find_line()
     {
         return stage("lines", 0.2).and_then([&] {
-            const std::vector<FeatureLine> lines = find_feature_lines(made.model, line_options(job_.lines));
-            return choose_line(made.model, lines, job_.lines.line)
+            std::vector<FeatureLine> lines = find_feature_lines(made.model, line_options(job_.lines));
+            return refine_chosen(lines)
+                .and_then([&] { return choose_line(made.model, lines, job_.lines.line); })
                 .and_then([&](FeatureLine line) {
                     made.line = std::move(line);
                     return region_options(made.model, lines, job_.region);
@@ -57,9 +59,7 @@ public:
 
     Result<void> remesh()
     {
-        const bool is_cad = !made.model.cad_face.empty();
-        const bool wanted = job_.remesh.remesh == "on" || (job_.remesh.remesh == "auto" && is_cad);
-        if (!wanted) {
+        if (!remeshes()) {
             return {};
         }
         return stage("remesh", 0.4).and_then([&] { return faces_to_remesh(); }).and_then([&](std::vector<int> faces) {
@@ -95,6 +95,34 @@ private:
             return fail(ErrorKind::cancelled, "cancelled");
         }
         return {};
+    }
+
+    bool remeshes() const
+    {
+        const bool asked = !made.model.cad_face.empty() || job_.remesh.max_edge > 0;
+        return job_.remesh.remesh == "on" || (job_.remesh.remesh == "auto" && asked);
+    }
+
+    /// Where the model is remeshed anyway, a line of few long edges is split up before a part of it is chosen.
+    Result<void> refine_chosen(std::vector<FeatureLine>& lines)
+    {
+        constexpr double least_edges = 20, wanted_edges = 60;
+        if (!remeshes() || !job_.lines.line.names_line()) {
+            return {};
+        }
+        const std::string& selector = job_.lines.line.text;
+        const Result<FeatureLine> whole = select_line(made.model, lines, selector.substr(0, selector.find('@')));
+        if (!whole) {
+            return tl::unexpected(whole.error());
+        }
+        if (longest_edge(made.model.mesh, *whole) <= whole->length_mm / least_edges) {
+            return {};
+        }
+        const double longest = job_.remesh.max_edge > 0 ? job_.remesh.max_edge : whole->length_mm / wanted_edges;
+        return refine_line(made.model, *whole, longest).map([&](RefinedLine refined) {
+            made.model = std::move(refined.model);
+            lines.at(static_cast<std::size_t>(refined.line.id)) = std::move(refined.line);
+        });
     }
 
     CorrespondenceOptions correspondence_options() const

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace tapeline {
 
@@ -102,7 +103,8 @@ double automatic_roi_distance(const FeatureLine& line, const std::vector<Vec3>& 
     for (const Vec3& u : displacements) {
         longest = std::max(longest, u.norm());
     }
-    return std::max(0.35 * line.length_mm, 3 * longest);
+    // A loop spans its length / π.
+    return std::max(0.35 * line.length_mm / (line.closed ? std::numbers::pi : 1), 3 * longest);
 }
 
 std::vector<int> faces_near(const Mesh& mesh, const FeatureLine& line, const std::vector<Vec3>& points, double distance)
