@@ -5,6 +5,7 @@
 #include "kernel/crease.h"
 #include "kernel/curve.h"
 #include "kernel/extension.h"
+#include "kernel/method.h"
 #include "kernel/placement.h"
 #include "kernel/progress.h"
 #include "kernel/region.h"
@@ -16,13 +17,6 @@
 #include <vector>
 
 namespace tapeline {
-
-enum class Method {
-    asan_fl,       ///< Tapeline's defaults: harmonic retraction, tapered extension, stiff along d_o
-    asan_fl_paper, ///< as published: planes retraction, free extension
-    asan,          ///< orthotropic spokes-and-rims on the uncut region, stiff across d_o
-    arap           ///< plain ARAP spokes-and-rims on the uncut region
-};
 
 enum class CreaseRestoration { automatic, off, on };
 
@@ -63,6 +57,7 @@ struct RetractionReport {
 };
 
 struct MoveResult {
+    Method method = Method::asan_fl;
     Model rest;    ///< the input model with the extension's cut: appended vertices last
     Positions V;   ///< moved positions of rest's vertices; equal to rest's outside the region, bit for bit
     Region region; ///< on rest's triangles
@@ -84,7 +79,7 @@ struct MoveResult {
 };
 
 /// Moves a feature line to its target and lets the region follow: ASAN-FL, the paper's seven steps (Section 3.5), or
-/// one of the plain methods. The input is not changed. A run that does not converge is returned with
+/// one of the other methods (method.h). The input is not changed. A run that does not converge is returned with
 /// `converged() == false`; whether that is an error is the caller's decision.
 Result<MoveResult> move_feature_line(const Model& model, const FeatureLine& line, const TargetCurve& target,
                                      const Region& region, const MoveOptions& options = {},

@@ -49,7 +49,7 @@ Result<void> MoveState::restore_lost_crease(const Progress& progress)
             return {};
         }
         // The published method turns the compressed side; the tension side leaves the former on the old surface.
-        const int bent = options_.method == Method::asan_fl_paper ? compression() : tension();
+        const int bent = method_.as_published ? compression() : tension();
         auto done = bend_side(bent, wanted);
         if (done && !progress.report(1, "crease")) {
             return fail(ErrorKind::cancelled, "the crease restoration was cancelled");

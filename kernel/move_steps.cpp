@@ -49,17 +49,14 @@ Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio)
 }
 
 MoveState::MoveState(const Model& model, const Region& region, const MoveOptions& options)
-    : model_(model), options_(options)
+    : model_(model), options_(options), method_(method_info(options.method))
 {
     result_.region = region;
     result_.warnings = region.warnings;
     result_.extension_path = options.extension_path;
-    const ExtensionTarget by_method =
-        options.method == Method::asan_fl_paper ? ExtensionTarget::free : ExtensionTarget::tapered;
-    result_.extension_target = options.extension_target.value_or(by_method);
-    const RetractionMode retraction =
-        options.method == Method::asan_fl_paper ? RetractionMode::planes : RetractionMode::harmonic;
-    result_.retraction.mode = options.retraction.value_or(retraction);
+    result_.method = options.method;
+    result_.extension_target = options.extension_target.value_or(method_.extension_target);
+    result_.retraction.mode = options.retraction.value_or(method_.retraction);
 }
 
 Result<void> MoveState::correspond_to(const FeatureLine& line, const TargetCurve& target)
@@ -89,10 +86,10 @@ Result<void> MoveState::place()
         placement = decide_placement(model_.mesh, result_.region, result_.correspondence);
         placement.verdict = options_.placement.value_or(placement.verdict);
         placement.compressed = options_.compressed_side.value_or(placement.compressed);
-        stiffness_ratio_ = options_.method == Method::arap ? 1 : options_.stiffness_ratio;
+        const bool orthotropic = method_.deformer == Deformer::orthotropic;
+        stiffness_ratio_ = orthotropic ? options_.stiffness_ratio : 1;
         stiff_direction_ = stiff_direction(result_.correspondence.displacements, stiffness_ratio_);
-        if (stiffness_ratio_ == 1 && options_.method != Method::arap && options_.stiffness_ratio != 1 &&
-            placement.u_max_mm > 0) {
+        if (stiffness_ratio_ == 1 && orthotropic && options_.stiffness_ratio != 1 && placement.u_max_mm > 0) {
             result_.warnings.push_back(
                 "the line's displacements have no common direction: an isotropic material is used");
         }
@@ -100,11 +97,7 @@ Result<void> MoveState::place()
     });
 }
 
-bool MoveState::splits() const
-{
-    const bool split_method = options_.method == Method::asan_fl || options_.method == Method::asan_fl_paper;
-    return split_method && result_.placement.verdict == Placement::on_surface;
-}
+bool MoveState::splits() const { return method_.splits && result_.placement.verdict == Placement::on_surface; }
 
 Result<void> MoveState::extend()
 {
@@ -289,7 +282,7 @@ Result<void> MoveState::deform_side(int side, const Progress& progress)
 {
     const bool tense = side == tension();
     // A zigzag target compresses the tension side in places; it is retracted there (method.md A5).
-    if (tense && options_.method == Method::asan_fl && compressed_somewhere(side)) {
+    if (tense && !method_.as_published && compressed_somewhere(side)) {
         if (auto done = retract_side(side); !done) {
             return done;
         }

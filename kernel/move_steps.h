@@ -56,6 +56,7 @@ private:
 
     const Model& model_;
     const MoveOptions& options_;
+    const MethodInfo& method_;
     ExtendedLine extended_;
     std::array<SideState, 2> sides_;
     SideState whole_;

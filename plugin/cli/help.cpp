@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/method.h"
 #include "plugin/cli/command_line.h"
 #include "plugin/runner/option_value.h"
 
@@ -99,6 +100,20 @@ std::string usage_line(const CommandInfo& info)
     return line + " [options]";
 }
 
+/// The methods by name, for commands that deform.
+std::string methods_section(Command command)
+{
+    const auto names_method = [&](const Option& o) { return o.name == "method" && (o.commands & command) != 0; };
+    if (std::ranges::none_of(option_table(), names_method)) {
+        return "";
+    }
+    std::string text = "\nMethods\n";
+    for (const MethodInfo& info : method_table()) {
+        text += entry(std::string(info.name), std::string(info.title) + ".");
+    }
+    return text;
+}
+
 } // namespace
 
 std::string command_help(const CommandInfo& info)
@@ -111,6 +126,7 @@ std::string command_help(const CommandInfo& info)
             text += fmt::format("\n{}\n{}", section.help, options);
         }
     }
+    text += methods_section(info.command);
     text += fmt::format("\nThis command\n{}", section_options(info.command, "command"));
     text += entry("-h, --help", "This text.");
     return text + fmt::format("\nExample:\n  {}\n", info.example);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/options.h"
 
+#include "kernel/method.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -26,6 +28,15 @@ constexpr unsigned choosing = target_command | move_command;
 constexpr unsigned finding = lines_command | choosing | check_command;
 constexpr unsigned moving = move_command;
 constexpr unsigned gating = move_command | check_command;
+
+std::vector<std::string_view> method_names()
+{
+    std::vector<std::string_view> names;
+    for (const MethodInfo& info : method_table()) {
+        names.push_back(info.name);
+    }
+    return names;
+}
 
 // One record a paragraph: the formatter would give each field its own line.
 // clang-format off
@@ -144,7 +155,7 @@ void add_move_options(std::vector<Option>& table)
     constexpr auto m = &Job::move;
     table.insert(table.end(), {
         {.section = "move", .name = "method", .slot = at<m, &M::method>, .commands = moving,
-         .help = "Deformation method.", .choices = {"asan-fl", "asan-fl-paper", "asan", "arap"}},
+         .help = "Deformation method.", .choices = method_names()},
         {.section = "move", .name = "retraction", .slot = at<m, &M::retraction>, .commands = moving,
          .help = "How the compressed side makes room.", .choices = {"auto", "harmonic", "planes"}},
         {.section = "move", .name = "extension_path", .slot = at<m, &M::extension_path>, .commands = moving,

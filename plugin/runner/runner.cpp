@@ -71,11 +71,7 @@ MoveOptions move_options(const Job& job)
 {
     const MoveSettings& s = job.move;
     MoveOptions options;
-    options.method = named<Method>(s.method, {{"asan-fl", Method::asan_fl},
-                                              {"asan-fl-paper", Method::asan_fl_paper},
-                                              {"asan", Method::asan},
-                                              {"arap", Method::arap}})
-                         .value_or(Method::asan_fl);
+    options.method = method_named(s.method).value_or(options.method);
     options.correspondence.mode =
         job.target.correspondence == "arc-length" ? CorrespondenceMode::arc_length : CorrespondenceMode::projection;
     options.retraction = named<RetractionMode>(

@@ -127,7 +127,7 @@ std::string stats_text(const Job& job, const JobOutcome& o)
                       {"faces", o.preparation.import.faces}};
     stats["import"] = import_json(o.preparation.import);
     stats["remesh"] = remesh_json(o.preparation.remesh);
-    stats["method"] = job.move.method;
+    stats["method"] = method_info(o.move.method).name;
     stats["line"] = line_json(o.move.correspondence.line);
     stats["target"] = target_json(*o.preparation.target);
     stats["region"] = region_json(o.move.region);

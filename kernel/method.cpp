@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/method.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace tapeline {
+
+namespace {
+
+// One record a paragraph: the formatter would give each field its own line.
+// clang-format off
+constexpr std::array methods = {
+    MethodInfo{.method = Method::asan_fl, .name = "asan-fl",
+               .title = "both sides apart: harmonic retraction, tapered extension, stiff along the move",
+               .splits = true},
+    MethodInfo{.method = Method::asan_fl_paper, .name = "asan-fl-paper",
+               .title = "ASAN-FL as published: retraction along planes, free extension",
+               .splits = true, .as_published = true, .retraction = RetractionMode::planes,
+               .extension_target = ExtensionTarget::free},
+    MethodInfo{.method = Method::asan, .name = "asan",
+               .title = "as-stiff-as-needed on the uncut region, stiff across the move"},
+    MethodInfo{.method = Method::arap_sr, .name = "arap-sr",
+               .title = "as-rigid-as-possible, spokes and rims (Chao et al. 2010)",
+               .deformer = Deformer::spokes_and_rims},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const MethodInfo> method_table() { return methods; }
+
+const MethodInfo& method_info(Method method)
+{
+    const auto* const found = std::ranges::find(methods, method, &MethodInfo::method);
+    assert(found != methods.end());
+    return *found;
+}
+
+std::optional<Method> method_named(std::string_view name)
+{
+    const auto* const found = std::ranges::find(methods, name, &MethodInfo::name);
+    return found == methods.end() ? std::nullopt : std::optional(found->method);
+}
+
+} // namespace tapeline

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/extension.h"
+#include "kernel/retraction.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace tapeline {
+
+enum class Method {
+    asan_fl,       ///< Tapeline's defaults: harmonic retraction, tapered extension, stiff along d_o
+    asan_fl_paper, ///< as published: planes retraction, free extension, the compressed side restores the crease
+    asan,          ///< orthotropic spokes-and-rims on the uncut region, stiff across d_o
+    arap_sr        ///< ARAP spokes-and-rims (Chao et al. 2010) on the uncut region
+};
+
+/// What a solver run minimises, or solves, for given positions of the line and the rim.
+enum class Deformer {
+    orthotropic,    ///< ASAN: spokes-and-rims with an orthotropic material (deformation.h)
+    spokes_and_rims ///< the same with an isotropic material
+};
+
+/// What a method is made of. One record a method is all that moves, options, help and comparisons know of it.
+struct MethodInfo {
+    Method method = Method::asan_fl;
+    std::string_view name;  ///< as job files and command lines call it, e.g. "asan-fl"
+    std::string_view title; ///< one line for people, without a full stop
+    Deformer deformer = Deformer::orthotropic;
+    bool splits = false;       ///< moves on the surface cut the region along the line and retract the compressed side
+    bool as_published = false; ///< where the paper and Tapeline differ, the paper's way
+    RetractionMode retraction = RetractionMode::harmonic;        ///< by default, where it splits
+    ExtensionTarget extension_target = ExtensionTarget::tapered; ///< by default, where it splits
+};
+
+/// All methods, the default first.
+std::span<const MethodInfo> method_table();
+
+const MethodInfo& method_info(Method method);
+
+/// The method of that name; none when there is none.
+std::optional<Method> method_named(std::string_view name);
+
+} // namespace tapeline
