@@ -4,6 +4,7 @@
 #include "kernel/curve.h"
 #include "kernel/error.h"
 #include "kernel/mesh.h"
+#include "kernel/split.h"
 
 #include <array>
 #include <optional>
@@ -96,5 +97,17 @@ std::vector<Section> cross_sections(const QualityInput& input);
 /// triangles, each triangle going to the side that reaches it first).
 std::pair<std::vector<int>, std::vector<int>> sides_of_line(const Mesh& mesh, const std::vector<int>& faces,
                                                             const std::vector<int>& line, bool closed);
+
+/// The triangles that had to make room, and those that were stretched: `sides` (left, right of the line) taken apart
+/// where the line's displacement changes sides, as with a zigzag target (method.md A5). Each triangle follows the line
+/// vertex nearest to its centre: there the side that the displacement runs into counts as compressed, by its conormal;
+/// where it runs into neither by more than a fiftieth of the largest displacement, `compressed` does. Displacements: one
+/// per entry of `line` [mm]. A target to one side alone gives the two sides unchanged.
+struct StrainedParts {
+    std::vector<int> compressed, tension; ///< triangles, ascending
+};
+StrainedParts strained_parts(const Mesh& rest, const std::pair<std::vector<int>, std::vector<int>>& sides,
+                             const std::vector<int>& line, bool closed, const std::vector<Vec3>& displacements,
+                             LineSide compressed);
 
 } // namespace tapeline

@@ -2,8 +2,11 @@
 #include "kernel/quality.h"
 #include "kernel/topology.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <iterator>
 #include <queue>
 #include <tuple>
 
@@ -62,6 +65,73 @@ std::pair<std::vector<int>, std::vector<int>> sides_of_line(const Mesh& mesh, co
             parts.second.push_back(t);
         }
     }
+    return parts;
+}
+
+namespace {
+
+/// Per entry of the line the side that its displacement runs into; `usual` where it clearly runs into neither.
+std::vector<LineSide> compressed_along(const Mesh& rest, const std::vector<int>& line, bool closed,
+                                       const std::vector<Vec3>& displacements, LineSide usual)
+{
+    const Topology topology(rest.F, static_cast<int>(rest.V.rows()));
+    std::vector<std::array<double, 2>> into(line.size(), {0, 0}); // displacement into the left and the right side [mm]
+    const size_t edges = line.size() - (closed ? 0 : 1);
+    for (size_t k = 0; k < edges; ++k) {
+        const size_t next = (k + 1) % line.size();
+        const int a = line[k], b = line[next];
+        const Vec3 direction = (rest.V.row(b) - rest.V.row(a)).normalized();
+        const std::array<int, 2> beside = {topology.face_left_of(a, b), topology.face_left_of(b, a)};
+        for (int s = 0; s < 2; ++s) {
+            if (beside[s] >= 0) {
+                const Vec3 conormal = (s == 0 ? 1 : -1) * triangle_normal(rest, beside[s]).cross(direction);
+                into[k][s] += 0.5 * displacements[k].dot(conormal);
+                into[next][s] += 0.5 * displacements[next].dot(conormal);
+            }
+        }
+    }
+    double largest = 0;
+    for (const Vec3& u : displacements) {
+        largest = std::max(largest, u.norm());
+    }
+    const int other = 1 - static_cast<int>(usual);
+    std::vector<LineSide> side(line.size(), usual);
+    for (size_t k = 0; k < line.size(); ++k) {
+        if (into[k][other] > 0.02 * largest && into[k][other] > into[k][1 - other]) {
+            side[k] = static_cast<LineSide>(other);
+        }
+    }
+    return side;
+}
+
+} // namespace
+
+StrainedParts strained_parts(const Mesh& rest, const std::pair<std::vector<int>, std::vector<int>>& sides,
+                             const std::vector<int>& line, bool closed, const std::vector<Vec3>& displacements,
+                             LineSide compressed)
+{
+    const bool left = compressed == LineSide::left;
+    StrainedParts parts{left ? sides.first : sides.second, left ? sides.second : sides.first};
+    const std::vector<LineSide> along = compressed_along(rest, line, closed, displacements, compressed);
+    if (std::ranges::all_of(along, [&](LineSide s) { return s == compressed; })) {
+        return parts;
+    }
+    const auto follows_usual = [&](int t) {
+        const Vec3 centre = (rest.V.row(rest.F(t, 0)) + rest.V.row(rest.F(t, 1)) + rest.V.row(rest.F(t, 2))) / 3;
+        const auto nearest =
+            std::ranges::min_element(line, {}, [&](int v) { return (Vec3(rest.V.row(v)) - centre).squaredNorm(); });
+        return along[nearest - line.begin()] == compressed;
+    };
+    const auto swapped_compressed = std::ranges::stable_partition(parts.compressed, follows_usual);
+    const auto swapped_tension = std::ranges::stable_partition(parts.tension, follows_usual);
+    const std::vector<int> to_tension(swapped_compressed.begin(), swapped_compressed.end());
+    const std::vector<int> to_compressed(swapped_tension.begin(), swapped_tension.end());
+    parts.compressed.erase(swapped_compressed.begin(), swapped_compressed.end());
+    parts.tension.erase(swapped_tension.begin(), swapped_tension.end());
+    std::ranges::copy(to_compressed, std::back_inserter(parts.compressed));
+    std::ranges::copy(to_tension, std::back_inserter(parts.tension));
+    std::ranges::sort(parts.compressed);
+    std::ranges::sort(parts.tension);
     return parts;
 }
 

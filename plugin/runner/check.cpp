@@ -238,9 +238,11 @@ private:
             std::ranges::all_of(record_.extended_line, [&](int v) { return v >= 0 && v < rest_.mesh.V.rows(); });
         const std::vector<int>& separator =
             extended && !record_.extended_line.empty() ? record_.extended_line : line_.vertices;
-        auto [left, right] = sides_of_line(rest_.mesh, moved_faces_, separator, line_.closed);
-        input.compressed_faces = side == "left" ? left : right;
-        input.tension_faces = side == "left" ? right : left;
+        StrainedParts parts = strained_parts(
+            rest_.mesh, sides_of_line(rest_.mesh, moved_faces_, separator, line_.closed), line_.vertices, line_.closed,
+            displacements().displacements, side == "left" ? LineSide::left : LineSide::right);
+        input.compressed_faces = std::move(parts.compressed);
+        input.tension_faces = std::move(parts.tension);
         outcome_.measures.has_compressed = !input.compressed_faces.empty();
     }
 

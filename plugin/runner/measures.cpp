@@ -221,9 +221,10 @@ QualityInput quality_input(const MoveResult& move, const TargetCurve& target)
     if (sides.first.empty() || sides.second.empty()) {
         sides = sides_of_line(move.rest.mesh, move.region.faces, input.line, input.closed);
     }
-    const bool left = move.placement.compressed == LineSide::left;
-    input.compressed_faces = left ? sides.first : sides.second;
-    input.tension_faces = left ? sides.second : sides.first;
+    StrainedParts parts = strained_parts(move.rest.mesh, sides, input.line, input.closed,
+                                         move.correspondence.displacements, move.placement.compressed);
+    input.compressed_faces = std::move(parts.compressed);
+    input.tension_faces = std::move(parts.tension);
     return input;
 }
 
