@@ -35,6 +35,9 @@ set(TAPELINE_COMMON_HEADERS <algorithm> <filesystem> <functional> <string> <vect
 function(tapeline_library name)
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
   add_library(${name} STATIC ${sources})
+  string(REPLACE "tapeline_" "" short_name ${name})
+  add_library(Tapeline::${short_name} ALIAS ${name})
+  set_target_properties(${name} PROPERTIES EXPORT_NAME ${short_name})
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                             $<INSTALL_INTERFACE:include/tapeline>)
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:tapeline_warnings>)
