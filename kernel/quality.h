@@ -61,6 +61,7 @@ struct QualityReport {
     double gauss_sign_change = 0; ///< share of area in [0, 1] whose sign went from + to - or back, both beyond the
                                   ///< dead band (kernel/quality_curvature.cpp; method.md G3); without the line
     double mean_sign_change = 0;
+    double gauss_sign_change_compressed = 0;    ///< the same share within the compressed side alone
     double crease_before = 0, crease_after = 0; ///< length-weighted mean along the line [deg]
     double crease_rms_difference = 0, crease_max_difference = 0;
     double min_angle_before = 0, min_angle_after = 0;

@@ -190,20 +190,39 @@ BothCurvatures both(const Context& context)
 
 } // namespace
 
+namespace {
+
+/// Area of vertex cells, and the part of it whose curvature changed sign [mm²].
+struct ChangedArea {
+    double area = 0, gauss = 0, mean = 0;
+    void add(const Curvature& before, const Curvature& after)
+    {
+        area += before.area;
+        gauss += before.sure_gauss() * after.sure_gauss() < 0 ? before.area : 0;
+        mean += before.sure_mean() * after.sure_mean() < 0 ? before.area : 0;
+    }
+    double share(double part) const { return area > 0 ? part / area : 0; }
+};
+
+} // namespace
+
 void measure_curvature(const Context& context, QualityReport& report)
 {
     const auto [before, after] = both(context);
-    double area = 0, gauss = 0, mean = 0;
+    ChangedArea all, compressed;
     for (size_t i = 0; i < before.size(); ++i) {
         if (!before[i].measured() || !after[i].measured()) {
             continue;
         }
-        area += before[i].area;
-        gauss += before[i].sure_gauss() * after[i].sure_gauss() < 0 ? before[i].area : 0;
-        mean += before[i].sure_mean() * after[i].sure_mean() < 0 ? before[i].area : 0;
+        all.add(before[i], after[i]);
+        const auto around = context.topology.vertex_faces(context.vertices[i]);
+        if (std::ranges::all_of(around, [&](int t) { return context.side[t] == SideOf::compressed; })) {
+            compressed.add(before[i], after[i]);
+        }
     }
-    report.gauss_sign_change = area > 0 ? gauss / area : 0;
-    report.mean_sign_change = area > 0 ? mean / area : 0;
+    report.gauss_sign_change = all.share(all.gauss);
+    report.mean_sign_change = all.share(all.mean);
+    report.gauss_sign_change_compressed = compressed.share(compressed.gauss);
 }
 
 void curvature_maps(const Context& context, QualityMaps& maps)

@@ -104,7 +104,10 @@ ordered_json measures_json(const Measures& m)
                                             {"at", {q.bulge_at.x(), q.bulge_at.y(), q.bulge_at.z()}}});
     json["sections"] = when(line, {{"compressed", when(m.has_compressed, sections_json(q.compressed_sections))},
                                    {"tension", sections_json(q.tension_sections)}});
-    json["curvature_sign_change"] = when(m.has_rest, {{"gauss", q.gauss_sign_change}, {"mean", q.mean_sign_change}});
+    json["curvature_sign_change"] =
+        when(m.has_rest, {{"gauss", q.gauss_sign_change},
+                          {"mean", q.mean_sign_change},
+                          {"gauss_compressed", when(m.has_compressed, q.gauss_sign_change_compressed)}});
     ordered_json crease = before_after(q.crease_before, q.crease_after);
     crease["rms_difference"] = q.crease_rms_difference;
     crease["max_difference"] = q.crease_max_difference;
@@ -147,6 +150,9 @@ std::string measures_table(const Measures& m)
     }
     if (m.has_rest) {
         rows.push_back({"area with changed Gauss curvature sign [%]", "", number(100 * q.gauss_sign_change)});
+        if (m.has_compressed) {
+            rows.push_back({"the same on the compressed side [%]", "", number(100 * q.gauss_sign_change_compressed)});
+        }
         rows.push_back({"area with changed mean curvature sign [%]", "", number(100 * q.mean_sign_change)});
         triangle_rows(rows, q);
     }

@@ -100,6 +100,11 @@ TEST(Curvature, ChangesItsSignWhereACapBecomesASaddle)
         half(v, 2) += half(v, 1) > 0 ? 1e-3 * half(v, 1) * half(v, 1) : 0;
     }
     EXPECT_NEAR(measure(cap, half, line).gauss_sign_change, 0.5, 0.05);
+    EXPECT_GT(measure(cap, half, line).gauss_sign_change_compressed, 0.95) << "the half left of the line";
+    for (int v = 0; v < half.rows(); ++v) {
+        half(v, 2) = cap.V(v, 2) + (cap.V(v, 1) < 0 ? 1e-3 * cap.V(v, 1) * cap.V(v, 1) : 0);
+    }
+    EXPECT_EQ(measure(cap, half, line).gauss_sign_change_compressed, 0);
 }
 
 TEST(Crease, IsMeasuredBySignedAngles)
