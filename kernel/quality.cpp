@@ -142,6 +142,7 @@ Result<QualityReport> measure_quality(const QualityInput& input)
         report.self_intersections = quality::new_self_intersections(context);
         report.symmetry_residual_mm = quality::symmetry_residual(context);
         quality::measure_rim(context, report);
+        quality::measure_extension(context, report);
         return report;
     } catch (const std::exception& e) {
         return fail(ErrorKind::rejected, fmt::format("Cannot measure the result: {}.", e.what()));

@@ -23,6 +23,7 @@ struct QualityInput {
     std::vector<int> tension_faces;      ///< region triangles of the other side
     const TargetCurve* target = nullptr; ///< null: no line error
     int stations = 9;                    ///< number of sections across the line
+    std::vector<int> extended_line = {}; ///< the line with its prolongation to the rim; empty when there is none
 };
 
 /// One section across Lt: four polylines in one plane, each from the line outwards to the region's rim. A list of
@@ -75,6 +76,8 @@ struct QualityReport {
                                        ///< of a moved vertex's image to the moved mirrored vertex
     double rim_crease_mean_change = 0; ///< change of the dihedral angle across the region's rim, length-weighted [deg]
     double rim_crease_max_change = 0;
+    /// The same across the line's prolongation, a kink beyond its ends; none where the line was not prolonged.
+    std::optional<double> extension_crease_mean_change, extension_crease_max_change;
 };
 
 /// Per-vertex maps for pictures, one value per vertex of the mesh (NaN outside the region). Curvatures are NaN on the

@@ -42,6 +42,7 @@ std::string complaint(const QualityInput& input);
 void measure_line(const Context& context, QualityReport& report);
 void measure_creases(const Context& context, QualityReport& report);
 void measure_rim(const Context& context, QualityReport& report);
+void measure_extension(const Context& context, QualityReport& report);
 
 /// Signed distance of the moved vertices to the region's rest surface, NaN for vertices outside the region [mm].
 std::vector<double> bulge_map(const Context& context);

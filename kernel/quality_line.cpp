@@ -70,24 +70,64 @@ void measure_creases(const Context& context, QualityReport& report)
     report.crease_rms_difference = length_before > 0 ? std::sqrt(squares / length_before) : 0;
 }
 
+namespace {
+
+/// Change of the angle across edges: the mean by length at rest, and the largest [deg].
+class AngleChange {
+public:
+    explicit AngleChange(const Context& context) : context_(context) {}
+
+    void add(int e)
+    {
+        const MeshEdge& edge = context_.topology.edge(e);
+        const double before = dihedral(context_.rest, context_.topology, context_.rest_normals, e);
+        const double after = dihedral(context_.moved, context_.topology, context_.moved_normals, e);
+        const double change = degrees * std::abs(std::remainder(after - before, 2 * std::numbers::pi));
+        const double weight = (context_.rest.V.row(edge.b) - context_.rest.V.row(edge.a)).norm();
+        length_ += weight;
+        sum_ += weight * change;
+        largest_ = std::max(largest_, change);
+    }
+    bool any() const { return length_ > 0; }
+    double mean() const { return length_ > 0 ? sum_ / length_ : 0; }
+    double largest() const { return largest_; }
+
+private:
+    const Context& context_;
+    double length_ = 0, sum_ = 0, largest_ = 0;
+};
+
+} // namespace
+
 void measure_rim(const Context& context, QualityReport& report)
 {
-    double length = 0, sum = 0;
+    AngleChange change(context);
     for (int e = 0; e < context.topology.edge_count(); ++e) {
         const MeshEdge& edge = context.topology.edge(e);
-        if (edge.left < 0 || edge.right < 0 ||
-            (context.side[edge.left] == SideOf::none) == (context.side[edge.right] == SideOf::none)) {
-            continue;
+        if (edge.left >= 0 && edge.right >= 0 &&
+            (context.side[edge.left] == SideOf::none) != (context.side[edge.right] == SideOf::none)) {
+            change.add(e);
         }
-        const double before = dihedral(context.rest, context.topology, context.rest_normals, e);
-        const double after = dihedral(context.moved, context.topology, context.moved_normals, e);
-        const double change = degrees * std::abs(std::remainder(after - before, 2 * std::numbers::pi));
-        const double weight = (context.rest.V.row(edge.b) - context.rest.V.row(edge.a)).norm();
-        length += weight;
-        sum += weight * change;
-        report.rim_crease_max_change = std::max(report.rim_crease_max_change, change);
     }
-    report.rim_crease_mean_change = length > 0 ? sum / length : 0;
+    report.rim_crease_mean_change = change.mean();
+    report.rim_crease_max_change = change.largest();
+}
+
+void measure_extension(const Context& context, QualityReport& report)
+{
+    const std::vector<int>& line = context.input.extended_line;
+    AngleChange change(context);
+    for (size_t k = 1; k < line.size(); ++k) {
+        const int e = context.topology.find_edge(line[k - 1], line[k]);
+        const bool used = context.on_line[line[k - 1]] && context.on_line[line[k]];
+        if (e >= 0 && !used && !context.topology.edge(e).border()) {
+            change.add(e);
+        }
+    }
+    if (change.any()) {
+        report.extension_crease_mean_change = change.mean();
+        report.extension_crease_max_change = change.largest();
+    }
 }
 
 } // namespace tapeline::quality

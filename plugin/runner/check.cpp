@@ -236,8 +236,8 @@ private:
         // The prolonged line separates the sides all the way to the rim.
         const bool extended =
             std::ranges::all_of(record_.extended_line, [&](int v) { return v >= 0 && v < rest_.mesh.V.rows(); });
-        const std::vector<int>& separator =
-            extended && !record_.extended_line.empty() ? record_.extended_line : line_.vertices;
+        input.extended_line = extended ? record_.extended_line : std::vector<int>{};
+        const std::vector<int>& separator = input.extended_line.empty() ? line_.vertices : input.extended_line;
         StrainedParts parts = strained_parts(
             rest_.mesh, sides_of_line(rest_.mesh, moved_faces_, separator, line_.closed), line_.vertices, line_.closed,
             displacements().displacements, side == "left" ? LineSide::left : LineSide::right);

@@ -55,6 +55,10 @@ void triangle_rows(Rows& rows, const QualityReport& q)
     rows.push_back({"flipped triangles", "0", std::to_string(q.flipped)});
     rows.push_back({"crease change across the rim mean, max [deg]", "",
                     number(q.rim_crease_mean_change) + ", " + number(q.rim_crease_max_change)});
+    if (q.extension_crease_mean_change) {
+        rows.push_back({"crease change across the prolonged line mean, max [deg]", "",
+                        number(*q.extension_crease_mean_change) + ", " + number(*q.extension_crease_max_change)});
+    }
     rows.push_back({"self-intersections", "", std::to_string(q.self_intersections)});
     if (q.symmetry_residual_mm) {
         rows.push_back({"symmetry residual [mm]", "", number(*q.symmetry_residual_mm)});
@@ -119,6 +123,9 @@ ordered_json measures_json(const Measures& m)
     json["self_intersections"] = when(m.has_rest, q.self_intersections);
     json["rim_crease"] =
         when(m.has_rest, {{"mean_change", q.rim_crease_mean_change}, {"max_change", q.rim_crease_max_change}});
+    json["extension_crease"] =
+        when(q.extension_crease_mean_change.has_value(), {{"mean_change", q.extension_crease_mean_change.value_or(0)},
+                                                          {"max_change", q.extension_crease_max_change.value_or(0)}});
     json["symmetry_residual_mm"] =
         q.symmetry_residual_mm ? ordered_json(*q.symmetry_residual_mm) : ordered_json(nullptr);
     if (m.surface_distance_max_mm) {
@@ -219,6 +226,7 @@ QualityInput quality_input(const MoveResult& move, const TargetCurve& target)
     input.line = move.correspondence.line.vertices;
     input.closed = move.correspondence.line.closed;
     input.target = &target;
+    input.extended_line = move.extended_line;
     if (move.placement.verdict == Placement::off_surface) {
         input.tension_faces = move.region.faces;
         return input;

@@ -107,6 +107,22 @@ TEST(Curvature, ChangesItsSignWhereACapBecomesASaddle)
     EXPECT_EQ(measure(cap, half, line).gauss_sign_change_compressed, 0);
 }
 
+TEST(ProlongedLine, ShowsAKinkAcrossItAndNotTheOneAcrossTheLineItself)
+{
+    const Mesh flat = quadric(0, 0);
+    const std::vector<int> whole = middle_row(20, 20), line(whole.begin() + 5, whole.begin() + 16);
+    Positions bent = flat.V;
+    for (int v = 0; v < bent.rows(); ++v) {
+        const double x = std::abs(bent(v, 0));
+        bent(v, 2) = x > 45 ? -std::abs(bent(v, 1)) * std::tan(3 * pi / 180) : -std::abs(bent(v, 1));
+    }
+    const auto [left, right] = sides_of_line(flat, all_faces(flat), whole, false);
+    const auto report = measure_quality({flat, bent, line, false, left, right, nullptr, 5, whole});
+    ASSERT_TRUE(report);
+    EXPECT_NEAR(report->extension_crease_mean_change.value_or(0), 6, 0.5);
+    EXPECT_FALSE(measure(flat, bent, whole).extension_crease_mean_change) << "nothing was prolonged";
+}
+
 TEST(Crease, IsMeasuredBySignedAngles)
 {
     const auto roof = [](double slope) {
