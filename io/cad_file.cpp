@@ -107,6 +107,8 @@ void warn_of_findings(const WeldedFaces& welded, const RepairCounts& counts, con
     }
     warn(faces.dropped_faces, "CAD faces smaller than the sewing tolerance were left out");
     warn(welded.unmatched_edges, "CAD edges are subdivided differently by their two faces and were left open");
+    warn(welded.folded_triangles, "triangles lie folded over against the exact surface; ask for a smaller linear "
+                                  "deflection or heal the model");
     warn(counts.degenerate_faces, "triangles without three different corners were removed");
     warn(counts.duplicate_faces, "triangles that came twice were removed");
     warn(counts.flipped_faces, "triangles were turned round to agree with their neighbours");
@@ -117,8 +119,9 @@ void warn_of_findings(const WeldedFaces& welded, const RepairCounts& counts, con
 Result<ImportedModel> import_faces(const std::string& path, CadFaces& faces, const Deflections& deflections,
                                    ImportReport report)
 {
-    if (const auto done = triangulate_faces(faces, deflections.linear_mm, deflections.angular); !done) {
-        return fail(done.error().kind, fmt::format("{}: {}", path, done.error().message));
+    const auto unfolded = triangulate_faces(faces, deflections.linear_mm, deflections.angular);
+    if (!unfolded) {
+        return fail(unfolded.error().kind, fmt::format("{}: {}", path, unfolded.error().message));
     }
     WeldedFaces welded = weld_faces(faces);
     if (welded.non_finite_nodes > 0) {
@@ -157,6 +160,8 @@ Result<ImportedModel> import_faces(const std::string& path, CadFaces& faces, con
     out.cad_faces = static_cast<int>(faces.faces.size());
     out.cad_edges = static_cast<int>(faces.edges.size());
     out.sewn_edges = faces.sewn_edges;
+    out.folded_triangles = unfolded->found;
+    out.folded_triangles_left = welded.folded_triangles;
     out.faces_without_triangles = static_cast<int>(welded.unmeshed.size());
     check_areas(result.model, faces, out);
     warn_of_findings(welded, counts, faces, out);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/face_weld.h"
 
+#include "io/face_unfold.h"
+
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
@@ -122,13 +124,31 @@ private:
         }
     }
 
+    /// Per node that stands for a set: whether a triangle has one of the set's nodes.
+    std::vector<char> used_sets(NodeSets& sets) const
+    {
+        std::vector<char> used(start_.back(), 0);
+        TopLoc_Location location;
+        for (size_t f = 0; f < faces_.faces.size(); ++f) {
+            const auto& triangulation = BRep_Tool::Triangulation(faces_.faces[f], location);
+            for (int t = 1; !triangulation.IsNull() && t <= triangulation->NbTriangles(); ++t) {
+                for (int k = 1; k <= 3; ++k) {
+                    used[sets.find(start_[f] + triangulation->Triangle(t).Value(k) - 1)] = 1;
+                }
+            }
+        }
+        return used;
+    }
+
     void fill(WeldedFaces& result, NodeSets& sets)
     {
         Model& model = result.model;
         std::vector<int> vertex_of(start_.back(), -1);
         int vertices = 0, triangles = 0;
+        const std::vector<char> used = used_sets(sets);
         for (int node = 0; node < start_.back(); ++node) {
-            vertex_of[node] = sets.find(node) == node ? vertices++ : vertex_of[sets.find(node)];
+            const int set = sets.find(node);
+            vertex_of[node] = set != node ? vertex_of[set] : used[node] ? vertices++ : -1;
         }
         TopLoc_Location location;
         for (const TopoDS_Face& face : faces_.faces) {
@@ -146,7 +166,7 @@ private:
             for (const std::vector<int>& nodes : edge_nodes_[e]) {
                 for (size_t i = 0; i + 1 < nodes.size(); ++i) {
                     const auto [a, b] = std::minmax(vertex_of[nodes[i]], vertex_of[nodes[i + 1]]);
-                    if (a != b) {
+                    if (a != b && a >= 0) {
                         model.cad_edges.push_back({a, b, static_cast<int>(e)});
                     }
                 }
@@ -164,7 +184,7 @@ private:
         const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(faces_.faces[f], location);
         const gp_Trsf placement = location.Transformation();
         for (int node = start_[f]; node < start_[f + 1]; ++node) {
-            if (sets.find(node) == node) {
+            if (sets.find(node) == node && vertex_of[node] >= 0) {
                 const gp_Pnt p = triangulation->Node(node - start_[f] + 1).Transformed(placement);
                 result.model.mesh.V.row(vertex_of[node]) << p.X(), p.Y(), p.Z();
                 result.non_finite_nodes += std::isfinite(p.X() + p.Y() + p.Z()) ? 0 : 1;
@@ -192,6 +212,37 @@ private:
             model.mesh.F.row(row) << vertex(a), vertex(turned ? c : b), vertex(turned ? b : c);
             model.cad_face.push_back(f);
         }
+        result.folded_triangles += count_folded(f, vertex_of, model.mesh.V);
+    }
+
+    /// Counts with the places that the vertices have after joining, which can be others than the nodes'.
+    int count_folded(int f, const std::vector<int>& vertex_of, const Positions& V) const
+    {
+        TopLoc_Location location;
+        const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(faces_.faces[f], location);
+        if (!triangulation->HasUVNodes()) {
+            return 0;
+        }
+        const FaceNormals normals(faces_.faces[f]);
+        const gp_Trsf placement = location.Transformation();
+        const double hand = placement.VectorialPart().Determinant() < 0 ? -1 : 1;
+        int folded = 0;
+        for (int t = 1; t <= triangulation->NbTriangles(); ++t) {
+            Vec3 corner[3];
+            gp_XY middle(0, 0);
+            for (int k = 0; k < 3; ++k) {
+                const int node = triangulation->Triangle(t).Value(k + 1);
+                corner[k] = V.row(vertex_of[start_[f] + node - 1]);
+                middle += triangulation->UVNode(node).XY() / 3;
+            }
+            auto normal = normals.at(middle.X(), middle.Y());
+            if (normal) {
+                const gp_Vec placed = hand * gp_Vec(normal->x(), normal->y(), normal->z()).Transformed(placement);
+                normal = Vec3(placed.X(), placed.Y(), placed.Z()).normalized();
+            }
+            folded += facing(corner[0], corner[1], corner[2], normal) < 0;
+        }
+        return folded;
     }
 
     const CadFaces& faces_;

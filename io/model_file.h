@@ -37,8 +37,10 @@ struct ImportReport {
     int cad_faces = 0, cad_edges = 0;
     int sewn_edges = 0; ///< CAD: edges joined by sewing; meshes: border edges with equal ends joined
     int faces_without_triangles = 0;
-    double area_mm2 = 0;       ///< of the triangles
-    double exact_area_mm2 = 0; ///< CAD: of the exact faces
+    int folded_triangles = 0;      ///< CAD: lay back to front against the exact surface: put right
+    int folded_triangles_left = 0; ///< CAD: still do
+    double area_mm2 = 0;           ///< of the triangles
+    double exact_area_mm2 = 0;     ///< CAD: of the exact faces
     std::vector<std::string> warnings;
 };
 

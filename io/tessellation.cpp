@@ -6,6 +6,7 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <IMeshTools_Parameters.hxx>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <set>
 
 namespace tapeline {
 
@@ -32,9 +34,26 @@ TopoDS_Compound compound_of(const CadFaces& faces)
     return compound;
 }
 
+/// Undoes folds face by face; a part placed twice has its triangles only once.
+Unfolded unfold_faces(const CadFaces& faces)
+{
+    Unfolded all;
+    std::set<const Poly_Triangulation*> seen;
+    for (const TopoDS_Face& face : faces.faces) {
+        TopLoc_Location location;
+        const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, location);
+        if (seen.insert(triangulation.get()).second) {
+            const Unfolded own = unfold_face(face);
+            all.found += own.found;
+            all.left += own.left;
+        }
+    }
+    return all;
+}
+
 } // namespace
 
-Result<void> triangulate_faces(const CadFaces& faces, double linear_deflection_mm, double angular_deflection)
+Result<Unfolded> triangulate_faces(const CadFaces& faces, double linear_deflection_mm, double angular_deflection)
 {
     try {
         const TopoDS_Compound compound = compound_of(faces);
@@ -46,7 +65,7 @@ Result<void> triangulate_faces(const CadFaces& faces, double linear_deflection_m
         parameters.Relative = false;
         parameters.InParallel = false;
         BRepMesh_IncrementalMesh(compound, parameters);
-        return {};
+        return unfold_faces(faces);
     } catch (const Standard_Failure& failure) {
         return fail(ErrorKind::rejected,
                     fmt::format("the faces cannot be triangulated: OpenCASCADE reports {} {}; heal the model first",

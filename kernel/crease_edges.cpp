@@ -21,7 +21,9 @@ using Vec2 = Eigen::Vector2d;
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double standing_out_share = 0.4;
 constexpr double dip_share = 0.2;
-constexpr double thin_share = 0.05; ///< of the edge's length
+constexpr double thin_share = 0.05;  ///< of the edge's length
+constexpr double beside_share = 0.1; ///< of the way from an edge to a triangle's centre
+constexpr double reach_share = 0.25; ///< of a triangle's or edge's length
 constexpr int max_crossings = 12;
 constexpr int max_facets = 4;
 
@@ -152,25 +154,44 @@ Beside facets_on_both_sides(const Mesh& mesh, const Topology& topology, const Me
             facets_beside(mesh, topology, turned, edge.right, bend)};
 }
 
+double longest_side(const Mesh& mesh, int t)
+{
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) {
+        longest = std::max(longest, (position(mesh, mesh.F(t, k)) - position(mesh, mesh.F(t, (k + 1) % 3))).norm());
+    }
+    return longest;
+}
+
 /// Angle between the exact CAD faces on both sides of a mesh edge [deg]; empty where they are not known. Between two
-/// faces both normals are taken at the edge's middle; inside one face at the centres of the two triangles.
-std::optional<double> exact_crease_angle(const Model& model, const MeshEdge& edge)
+/// faces both normals are taken at one point, the exact CAD edge's nearest to the mesh edge's middle: chords of a curved
+/// edge lie beside it, where a tightly bent face has another normal already. Inside one face the normals are those a
+/// tenth of the way from the edge to the triangles' centres: across a tight bend they differ by a tenth of the angle
+/// only, across a kink by all of it.
+std::optional<double> exact_crease_angle(const Model& model, const MeshEdge& edge, int cad_edge)
 {
     const int face1 = model.cad_face[edge.left], face2 = model.cad_face[edge.right];
     if (!model.surface || face1 < 0 || face2 < 0) {
         return {};
     }
     const Vec3 a = position(model.mesh, edge.a), b = position(model.mesh, edge.b);
-    const auto centre = [&](int t) -> Vec3 {
-        return (a + b + position(model.mesh, third_vertex(model.mesh, t, edge.a, edge.b))) / 3;
-    };
     const Vec3 middle = 0.5 * (a + b);
-    const Vec3 p1 = face1 == face2 ? centre(edge.left) : middle, p2 = face1 == face2 ? centre(edge.right) : middle;
-    const auto foot1 = model.surface->closest(face1, p1);
-    const auto foot2 = model.surface->closest(face2, p2);
-    // A mesh that has left its CAD faces (it was moved) is judged by itself.
-    const double reach = 0.25 * (b - a).norm();
-    if (!foot1 || !foot2 || (foot1->point - p1).norm() > reach || (foot2->point - p2).norm() > reach) {
+    const auto beside = [&](int t) -> Vec3 {
+        const Vec3 centre = (a + b + position(model.mesh, third_vertex(model.mesh, t, edge.a, edge.b))) / 3;
+        return middle + beside_share * (centre - middle);
+    };
+    const Vec3 p1 = face1 == face2 ? beside(edge.left) : middle, p2 = face1 == face2 ? beside(edge.right) : middle;
+    Vec3 at1 = p1, at2 = p2;
+    if (face1 != face2 && cad_edge >= 0) {
+        at1 = at2 = model.surface->closest_on_edge(cad_edge, middle).value_or(middle);
+    }
+    const auto foot1 = model.surface->closest(face1, at1);
+    const auto foot2 = model.surface->closest(face2, at2);
+    // A mesh that has left its CAD faces (it was moved) is judged by itself. A triangle's inside is as far from the
+    // face as its longest side's chord height, however short the edge.
+    const double reach1 = reach_share * (face1 == face2 ? longest_side(model.mesh, edge.left) : (b - a).norm());
+    const double reach2 = reach_share * (face1 == face2 ? longest_side(model.mesh, edge.right) : (b - a).norm());
+    if (!foot1 || !foot2 || (foot1->point - p1).norm() > reach1 || (foot2->point - p2).norm() > reach2) {
         return {};
     }
     return std::atan2(foot1->normal.cross(foot2->normal).norm(), foot1->normal.dot(foot2->normal)) * degrees;
@@ -188,9 +209,10 @@ double decisive_angle(const Model& model, const Topology& topology, int e, int c
         if (cad_edge < 0 && angle < very_sharp_angle) {
             return 0;
         }
-        if (const auto exact = exact_crease_angle(model, edge)) {
+        if (const auto exact = exact_crease_angle(model, edge, cad_edge)) {
             if (model.cad_face[edge.left] != model.cad_face[edge.right]) {
-                return *exact;
+                // Faces folded back onto each other have one tangent plane: a cusp of a smooth seam, no crease.
+                return 180 - *exact < low ? 0 : *exact;
             }
             if (*exact < 0.5 * angle) {
                 return 0;

@@ -26,10 +26,11 @@ double standing_out_angle(const Mesh& mesh, const Topology& topology, int e);
 /// Decides for every edge of the model whether it is part of a crease; `high` and `low` are the two thresholds [deg].
 /// - Mesh files: the crease angle reaches the threshold, and it is very sharp (between facets that are not slivers: the
 ///   folds of a tessellation are as sharp) or at least 40 % of it stands out.
-/// - Between two CAD faces: the angle between the exact faces' normals reaches the threshold (where there are no exact
-///   faces: as for mesh files). A CAD edge that is a crease over most of its length is filled where the crease dips below
+/// - Between two CAD faces: the angle between the exact faces' normals, taken on the exact edge, reaches the threshold
+///   (where there are no exact faces: as for mesh files), and 180° minus it reaches `low`: faces that fold back onto each
+///   other along a common tangent plane (the lip of a nacelle that runs into a cusp) have no crease. A CAD edge that is a crease over most of its length is filled where the crease dips below
 ///   `low` for less than a fifth of it.
-/// - Inside one CAD face, or on its seam: as for mesh files, but only where the exact normals beside the edge differ by at
+/// - Inside one CAD face, or on its seam: as for mesh files, but only where the exact normals close beside the edge differ by at
 ///   least half as much; off CAD edges only very sharp edges that stand out, since the rest is tessellation.
 /// Borders and non-manifold edges are never creases.
 std::vector<CreaseLevel> crease_edges(const Model& model, const Topology& topology, double high, double low);

@@ -111,7 +111,9 @@ std::vector<std::pair<const char*, int>> findings(const ImportReport& r)
             {"CAD faces", r.cad_faces},
             {"CAD edges", r.cad_edges},
             {"sewn edges", r.sewn_edges},
-            {"CAD faces without triangles", r.faces_without_triangles}};
+            {"CAD faces without triangles", r.faces_without_triangles},
+            {"folded triangles put right", r.folded_triangles},
+            {"folded triangles left", r.folded_triangles_left}};
 }
 
 } // namespace
@@ -173,6 +175,8 @@ ordered_json import_json(const ImportReport& r)
             {"cad_edges", r.cad_edges},
             {"sewn_edges", r.sewn_edges},
             {"faces_without_triangles", r.faces_without_triangles},
+            {"folded_triangles", r.folded_triangles},
+            {"folded_triangles_left", r.folded_triangles_left},
             {"area_mm2", r.area_mm2},
             {"exact_area_mm2", r.exact_area_mm2},
             {"warnings", r.warnings}};

@@ -2,6 +2,7 @@
 // CAD files that users bring: what must come out of them, and what must be refused.
 #include "io/file_content.h"
 #include "io/model_file.h"
+#include "kernel/feature_lines.h"
 #include "tests/io/cad_shapes.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -26,6 +27,8 @@ Result<ImportedModel> read_coarse(const std::filesystem::path& path)
 }
 
 class ClosedPart : public ::testing::TestWithParam<const char*> {};
+
+class CadModel : public ::testing::TestWithParam<const char*> {};
 
 class Unreadable : public ::testing::TestWithParam<const char*> {};
 
@@ -58,6 +61,7 @@ TEST_P(ClosedPart, HasNoBorderAndItsExactArea)
     EXPECT_EQ(read->report.border_edges, 0);
     EXPECT_EQ(read->report.non_manifold_edges, 0);
     EXPECT_EQ(read->report.faces_without_triangles, 0);
+    EXPECT_EQ(read->report.folded_triangles_left, 0);
     EXPECT_NEAR(read->report.area_mm2, read->report.exact_area_mm2, 0.01 * read->report.exact_area_mm2);
     EXPECT_GT(enclosed_volume(read->model.mesh), 0);
 }
@@ -65,6 +69,33 @@ TEST_P(ClosedPart, HasNoBorderAndItsExactArea)
 INSTANTIATE_TEST_SUITE_P(CadData, ClosedPart,
                          ::testing::Values("screw.step", "linkrods.step", "hammer.brep", "hammer.iges",
                                            "dm1-id-214.stp", "as1-oc-214.stp", "featuretype.STEP"));
+
+TEST_P(CadModel, HasNoTriangleFoldedOverAgainstItsExactSurface)
+{
+    const auto path = data_file(std::string("models/") + GetParam());
+    if (path.empty()) {
+        GTEST_SKIP() << "TAPELINE_DATA is not set";
+    }
+    const auto read = read_cad(path, {});
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->report.folded_triangles_left, 0);
+    EXPECT_EQ(read->report.isolated_vertices, 0);
+    EXPECT_NEAR(read->report.area_mm2, read->report.exact_area_mm2, 1e-3 * read->report.exact_area_mm2);
+}
+
+INSTANTIATE_TEST_SUITE_P(CadData, CadModel, ::testing::Values("aircraft_engine.step", "D150_wing.igs"));
+
+TEST(CadData, FindsNoLineOnTheNacelleWhichHasSmoothSeamsOnly)
+{
+    if (data_file("").empty()) {
+        GTEST_SKIP() << "TAPELINE_DATA is not set";
+    }
+    const auto read = read_cad(data_file("models/nacelle.stp"), {});
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->report.folded_triangles_left, 0);
+    EXPECT_GT(read->report.folded_triangles, 100) << "the tessellation's folds at the lip";
+    EXPECT_TRUE(find_feature_lines(read->model).empty());
+}
 
 TEST(CadData, SewsTheHammerWithoutSharedEdgesToTheOneThatWasSewnAlready)
 {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 
 using namespace tapeline;
@@ -43,6 +44,22 @@ public:
 
 private:
     Vec3 normals_[2];
+};
+
+/// Exact faces given by a rule for their normals, met in an exact edge that lies `rise` above its chords.
+class NormalRule final : public SurfaceProjector {
+public:
+    NormalRule(std::function<Vec3(int, const Vec3&)> rule, double rise) : rule_(std::move(rule)), rise_(rise) {}
+    int face_count() const override { return 2; }
+    std::optional<SurfaceFoot> closest(int face, const Vec3& p) const override
+    {
+        return SurfaceFoot{p, rule_(face, p).normalized()};
+    }
+    std::optional<Vec3> closest_on_edge(int, const Vec3& p) const override { return p + Vec3(0, 0, rise_); }
+
+private:
+    std::function<Vec3(int, const Vec3&)> rule_;
+    double rise_;
 };
 
 } // namespace
@@ -142,4 +159,40 @@ TEST(CreaseEdges, OfAShortButWholeCadEdgeMakeALine)
     const auto lines = find_feature_lines(two_faces(short_ridge, 10, 12));
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_EQ(lines[0].vertices.size(), 3U);
+}
+
+TEST(CreaseEdges, AreNoneWhereSmoothFacesFoldBackOntoEachOther)
+{
+    Model model = two_faces(roof);
+    model.surface = std::make_shared<Planes>(Vec3(0, 0.02, 1), Vec3(0, 0.02, -1));
+    EXPECT_TRUE(find_feature_lines(model).empty()) << "one tangent plane but for 2.3 degrees";
+    model.surface = std::make_shared<Planes>(Vec3(0, 0.2, 1), Vec3(0, 0.2, -1));
+    EXPECT_EQ(find_feature_lines(model).size(), 1U) << "a thin edge of 157 degrees";
+}
+
+TEST(CreaseEdges, AreJudgedOnTheExactEdgeAndNotOnItsChord)
+{
+    // Half a millimetre below the edge the faces have bent by 45 degrees each.
+    const auto lip = [](int face, const Vec3& p) {
+        const double bent = std::clamp(1 - 2 * p.z(), 0.0, 1.0);
+        return Vec3(0, face == 0 ? -bent : bent, 1);
+    };
+    Model model = two_faces(roof);
+    model.surface = std::make_shared<NormalRule>(lip, 0.5);
+    EXPECT_TRUE(find_feature_lines(model).empty());
+    model.surface = std::make_shared<NormalRule>(lip, 0);
+    EXPECT_EQ(find_feature_lines(model).size(), 1U) << "the same faces met below";
+}
+
+TEST(CreaseEdges, InsideACadFaceNeedAKinkAndNoTightBend)
+{
+    Model model = two_faces([](double, double y) { return -std::abs(y); });
+    std::ranges::fill(model.cad_face, 0);
+    const auto turning = [](double width) {
+        return [width](int, const Vec3& p) { return Vec3(0, std::clamp(p.y() / width, -1.0, 1.0), 1); };
+    };
+    model.surface = std::make_shared<NormalRule>(turning(6), 0); // the triangles' centres are 6.7 mm from the row
+    EXPECT_TRUE(find_feature_lines(model).empty());
+    model.surface = std::make_shared<NormalRule>(turning(1e-6), 0);
+    EXPECT_EQ(find_feature_lines(model).size(), 1U);
 }
