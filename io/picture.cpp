@@ -141,7 +141,9 @@ Result<void> draw(const std::filesystem::path& png, const Mesh& mesh, const Pict
     Eigen::Matrix3d axes;
     axes << view.right, view.up, view.towards;
     const Positions normals = picture::corner_normals(mesh, topology, sharp) * axes;
-    const auto raster = picture::rasterise(mesh, view, picture::make_shader(mesh, normals, options));
+    const auto sampling =
+        options.shading == Shading::zebra ? picture::Sampling::every_quarter : picture::Sampling::every_face;
+    const auto raster = picture::rasterise(mesh, view, picture::make_shader(mesh, normals, options), sampling);
     Canvas canvas(options.width, options.height);
     canvas.lay(raster);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace tapeline::picture {
 
@@ -68,14 +69,52 @@ void draw(const Flat& f, int face, int width, int first_row, int rows, std::vect
     }
 }
 
+/// The samples of one pixel, or of a quarter of it, that lie in one triangle.
+struct Patch {
+    int face = -1, part = 0, count = 0;
+    double w1 = 0, w2 = 0; ///< sums over the samples
+};
+
+/// Samples to shade, gathered to those that are shaded as one.
+class Patches {
+public:
+    explicit Patches(Sampling sampling) : sampling_(sampling) {}
+
+    void clear() { count_ = 0; }
+    /// `column` and `row` of the sample in its pixel.
+    void add(const Hit& hit, int column, int row)
+    {
+        const int part = sampling_ == Sampling::every_face ? 0 : column / (sub / 2) + 2 * (row / (sub / 2));
+        int k = 0;
+        while (k < count_ && (patches_[k].face != hit.face || patches_[k].part != part)) {
+            ++k;
+        }
+        if (k == count_) {
+            patches_[count_++] = {hit.face, part, 0, 0, 0};
+        }
+        ++patches_[k].count;
+        patches_[k].w1 += hit.w1;
+        patches_[k].w2 += hit.w2;
+    }
+    std::span<const Patch> all() const { return {patches_.data(), static_cast<size_t>(count_)}; }
+
+private:
+    Sampling sampling_;
+    std::array<Patch, sub * sub> patches_;
+    int count_ = 0;
+};
+
 /// Shades a band's samples and averages them over their pixels.
-void resolve(const std::vector<Hit>& hits, int first_pixel_row, int pixel_rows, const Shader& shader, Raster& raster)
+void resolve(const std::vector<Hit>& hits, int first_pixel_row, int pixel_rows, const Shader& shader, Sampling sampling,
+             Raster& raster)
 {
+    Patches patches(sampling);
     const int samples_wide = raster.width * sub;
     for (int y = 0; y < pixel_rows; ++y) {
         for (int x = 0; x < raster.width; ++x) {
             Colour sum{0, 0, 0};
             int covered = 0;
+            patches.clear();
             float farthest = std::numeric_limits<float>::infinity();
             for (int k = 0; k < sub * sub; ++k) {
                 const Hit& hit = hits[static_cast<size_t>(y * sub + k / sub) * samples_wide + x * sub + k % sub];
@@ -83,11 +122,15 @@ void resolve(const std::vector<Hit>& hits, int first_pixel_row, int pixel_rows, 
                 if (hit.face < 0) {
                     continue;
                 }
-                const Colour c = shader(hit.face, Vec3(1.0 - hit.w1 - hit.w2, hit.w1, hit.w2));
-                for (int i = 0; i < 3; ++i) {
-                    sum[i] += c[i];
-                }
+                patches.add(hit, k % sub, k / sub);
                 ++covered;
+            }
+            for (const Patch& patch : patches.all()) {
+                const double w1 = patch.w1 / patch.count, w2 = patch.w2 / patch.count;
+                const Colour c = shader(patch.face, Vec3(1.0 - w1 - w2, w1, w2));
+                for (int i = 0; i < 3; ++i) {
+                    sum[i] += static_cast<float>(patch.count) * c[i];
+                }
             }
             const size_t pixel = static_cast<size_t>(first_pixel_row + y) * raster.width + x;
             for (int i = 0; i < 3; ++i) {
@@ -115,7 +158,7 @@ View::View(const Camera& camera, int picture_width, int picture_height)
     pixels_per_mm = picture_height / camera.height_mm;
 }
 
-Raster rasterise(const Mesh& mesh, const View& view, const Shader& shader)
+Raster rasterise(const Mesh& mesh, const View& view, const Shader& shader, Sampling sampling)
 {
     Raster raster;
     raster.width = view.width;
@@ -152,7 +195,7 @@ Raster rasterise(const Mesh& mesh, const View& view, const Shader& shader)
             for (const int t : faces_in[band]) {
                 draw(Flat(mesh, projected, t), t, view.width * sub, first * sub, rows * sub, hits);
             }
-            resolve(hits, first, rows, shader, raster);
+            resolve(hits, first, rows, shader, sampling, raster);
         },
         1);
     return raster;

@@ -41,8 +41,14 @@ struct Raster {
     std::vector<int> face;       ///< per pixel: triangle at its middle, -1 = background
 };
 
+/// How often the shader is asked.
+enum class Sampling {
+    every_quarter, ///< four times a pixel, for colours that jump within a triangle, as stripes do
+    every_face ///< once for each triangle that a pixel shows; edges of triangles are as smooth, at a fraction of the time
+};
+
 /// Draws all triangles, whichever way they face, at 4 × 4 samples a pixel.
-Raster rasterise(const Mesh& mesh, const View& view, const Shader& shader);
+Raster rasterise(const Mesh& mesh, const View& view, const Shader& shader, Sampling sampling = Sampling::every_quarter);
 
 /// sRGB value of linear light, both in [0, 1].
 float encode(float linear);
