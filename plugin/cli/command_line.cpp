@@ -13,7 +13,7 @@ namespace tapeline {
 
 namespace {
 
-constexpr std::array<CommandInfo, 6> commands = {
+constexpr std::array<CommandInfo, 7> commands = {
     {{mesh_command, "mesh", "Read a model, report what was found, and write its triangles.",
       "tapeline mesh hood.step --linear-deflection 0.05 -o hood.obj"},
      {lines_command, "lines", "Find the model's feature lines and number them, longest first.",
@@ -24,7 +24,9 @@ constexpr std::array<CommandInfo, 6> commands = {
       "tapeline move hood.step --line 0 --target target.json -o moved.obj --stats stats.json"},
      {check_command, "check", "Measure a moved mesh against the model before the move.",
       "tapeline check moved.obj --against rest.obj --stats stats.json --target target.json --max-bulge 0.1"},
-     {run_command, "run", "Run a job file, from the model to all its outputs.", "tapeline run hood.json"}}};
+     {run_command, "run", "Run a job file, from the model to all its outputs.", "tapeline run hood.json"},
+     {compare_command, "compare", "Run every method on one job and show them side by side in one HTML page.",
+      "tapeline compare hood.json -o hood_methods --methods asan-fl,asan-fl-paper,arap"}}};
 
 /// Names of all flags that a command takes.
 std::vector<std::string> flags_of(Command command)
@@ -117,6 +119,7 @@ private:
         }
         CLI::Option* added = app.add_option(name, CLI::callback_t(set));
         if (std::holds_alternative<std::vector<std::filesystem::path>*>(slot) ||
+            std::holds_alternative<std::vector<std::string>*>(slot) ||
             std::holds_alternative<std::vector<LineSelector>*>(slot)) {
             added->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);
         }

@@ -5,6 +5,7 @@
 #include "io/target_file.h"
 #include "kernel/remesh.h"
 #include "plugin/runner/check.h"
+#include "plugin/runner/compare_outputs.h"
 #include "plugin/runner/guard.h"
 #include "plugin/runner/job_file.h"
 #include "plugin/runner/job_outputs.h"
@@ -195,6 +196,31 @@ Result<void> run_job_file(const Job& job, Console& console)
     });
 }
 
+Result<void> run_compare(const Job& job, Console& console)
+{
+    return read_job(job.command.job).and_then([&](Job read) -> Result<void> {
+        read.command = job.command;
+        if (read.input.empty()) {
+            return fail(ErrorKind::usage,
+                        fmt::format("{}: key 'input' is missing; name the model file", job.command.job.string()));
+        }
+        const Progress progress = console.progress();
+        return check_compare_outputs(read)
+            .and_then([&] { return compare_methods(read, progress.part(0.0, 0.7)); })
+            .and_then([&](Comparison comparison) {
+                return write_comparison(read, comparison, progress.part(0.7, 1.0)).and_then([&]() -> Result<void> {
+                    console.warn(comparison.warnings);
+                    console.print(comparison_table(comparison));
+                    if (comparison.ranking.empty()) {
+                        return fail(comparison.runs.front().failure->kind,
+                                    "no method gave a result that can be ranked");
+                    }
+                    return {};
+                });
+            });
+    });
+}
+
 Result<void> run_check(const Job& job, Console& console)
 {
     OutputSet outputs;
@@ -220,6 +246,8 @@ Result<void> run(const Invocation& invocation, Console& console)
         return run_move(invocation.job, console);
     case check_command:
         return run_check(invocation.job, console);
+    case compare_command:
+        return run_compare(invocation.job, console);
     default:
         return run_job_file(invocation.job, console);
     }

@@ -49,7 +49,12 @@ struct Placeholder {
     std::string operator()(const double*) const { return unit("X"); }
     std::string operator()(const std::optional<double>*) const { return unit("X"); }
     std::string operator()(const std::string*) const { return "WORD"; }
-    std::string operator()(const std::filesystem::path*) const { return option.name == "pictures" ? "DIR" : "FILE"; }
+    std::string operator()(const std::vector<std::string>*) const { return "WORD,..."; }
+    std::string operator()(const std::filesystem::path*) const
+    {
+        const bool folder = option.name == "pictures" || option.commands == compare_command;
+        return folder ? "DIR" : "FILE";
+    }
     std::string operator()(const LineSelector*) const { return "LINE"; }
     std::string operator()(const std::vector<int>*) const { return unit("N") + ",..."; }
     std::string operator()(const std::vector<double>*) const { return unit("X") + ",..."; }
@@ -139,7 +144,7 @@ std::string program_help()
     for (const CommandInfo& info : command_table()) {
         text += entry(std::string(info.name), std::string(info.help));
     }
-    text += "\nOptions of all commands:\n" + section_options(static_cast<Command>(0x80), "");
+    text += "\nOptions of all commands:\n" + section_options(static_cast<Command>(0x8000), "");
     for (const Option& option : option_table()) {
         if (option.commands == all_commands) {
             text += entry(label(option), help_text(option));

@@ -1,85 +1,120 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/html_report.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace tapeline {
 
 namespace {
 
-constexpr std::string_view style = "body{font:15px/1.5 sans-serif;max-width:1240px;margin:2em auto;padding:0 1em}"
-                                   "pre{background:#f4f4f2;padding:1em;overflow-x:auto}"
-                                   ".pair{display:flex;flex-wrap:wrap;gap:12px}figure{margin:0;flex:1 1 560px}"
-                                   "img{width:100%}figcaption{color:#555}";
+std::string move_headline(const JobOutcome& o)
+{
+    const QualityReport& q = o.measures.quality;
+    std::string text = fmt::format("The line moves by up to {:.4g} mm", q.slide_max_mm);
+    if (o.measures.has_compressed) {
+        text += fmt::format(" and the side that gives way leaves its old surface by at most {:.2g} mm "
+                            "({:.2g} % of the move)",
+                            std::abs(q.bulge_max_mm), 100 * q.bulge_fraction);
+    }
+    std::vector<std::string> missed;
+    for (const GateResult& gate : o.gates) {
+        if (!gate.passed) {
+            missed.push_back(gate.name);
+        }
+    }
+    if (o.gates.empty()) {
+        return text + ".";
+    }
+    return text + (missed.empty() ? fmt::format(". All {} limits are kept.", o.gates.size())
+                                  : fmt::format(". {} of {} limits are missed: {}.", missed.size(), o.gates.size(),
+                                                fmt::join(missed, ", ")));
+}
+
+PageEntry entry_of(const Job& job, const JobOutcome& outcome)
+{
+    PageEntry entry;
+    entry.name = job.move.method;
+    entry.title = method_title(entry.name);
+    entry.move = &outcome.move;
+    entry.measures = &outcome.measures;
+    entry.sound = outcome.move.converged();
+    entry.verdict = entry.sound ? "converged" : "not converged";
+    if (!entry.sound) {
+        entry.reason = not_converged(outcome.move).message;
+    }
+    for (const auto& [stage, seconds] : outcome.move.seconds) {
+        entry.seconds += seconds;
+    }
+    return entry;
+}
 
 } // namespace
 
-std::string html_text(std::string_view text)
+std::vector<std::pair<std::string, std::string>> job_facts(const Job& job, const Preparation& p, const MoveResult* move)
 {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            safe += "&amp;";
-            break;
-        case '<':
-            safe += "&lt;";
-            break;
-        case '>':
-            safe += "&gt;";
-            break;
-        case '"':
-            safe += "&quot;";
-            break;
-        default:
-            safe += c;
+    std::vector<std::pair<std::string, std::string>> facts = {
+        {"Model", fmt::format("{}, {}", job.input.filename().string(), p.import.format)}};
+    const FeatureLine& line = move == nullptr ? p.line : move->correspondence.line;
+    facts.emplace_back("Line", fmt::format("{:.4g} mm long, {:.3g}° sharp", line.length_mm, line.crease_angle_mean));
+    facts.emplace_back("Region",
+                       fmt::format("{} vertices, {} triangles", p.region.vertices.size(), p.region.faces.size()));
+    if (move != nullptr) {
+        const bool on = move->placement.verdict == Placement::on_surface;
+        facts.emplace_back("Move", fmt::format("up to {:.4g} mm, {}", move->placement.u_max_mm,
+                                               on ? "along the surface" : "off the surface"));
+        if (on) {
+            facts.emplace_back("Gives way", move->placement.compressed == LineSide::left ? "left side" : "right side");
         }
     }
-    return safe;
+    return facts;
 }
 
-std::string base64(std::string_view bytes)
+std::string method_title(const std::string& method)
 {
-    static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t k = 0; k < bytes.size(); k += 3) {
-        unsigned group = 0;
-        for (std::size_t j = 0; j < 3; ++j) {
-            group = group << 8U | (k + j < bytes.size() ? static_cast<unsigned char>(bytes[k + j]) : 0U);
-        }
-        for (std::size_t j = 0; j < 4; ++j) {
-            text += k + j <= bytes.size() ? digits[group >> (18 - 6 * j) & 63U] : '=';
-        }
-    }
-    return text;
+    const auto known = method_named(method);
+    return known ? std::string(method_info(*known).title) : std::string();
 }
 
-std::string html_report(const Job& job, const JobOutcome& outcome, const std::vector<Picture>& pictures)
+std::vector<std::string> reading_notes()
 {
-    const std::string title = fmt::format("Tapeline: {}", job.input.filename().string());
-    std::string page = fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>"
-                                   "<style>{1}</style></head><body>\n<h1>{0}</h1>\n",
-                                   html_text(title), style);
-    if (!job.description.empty()) {
-        page += fmt::format("<p>{}</p>\n", html_text(job.description));
-    }
-    page += fmt::format("<h2>The move</h2>\n<pre>{}</pre>\n", html_text(outcome_table(outcome)));
-    page += fmt::format("<h2>Measures</h2>\n<pre>{}</pre>\n", html_text(measures_table(outcome.measures)));
-    if (!outcome.warnings.empty()) {
-        page += "<h2>Warnings</h2>\n<ul>\n";
-        for (const std::string& warning : outcome.warnings) {
-            page += fmt::format("<li>{}</li>\n", html_text(warning));
-        }
-        page += "</ul>\n";
-    }
-    page += "<h2>Pictures</h2>\n<div class=\"pair\">\n";
+    return {
+        "Bulge: distance of the side that gives way to its old surface after the move. A move along the surface should "
+        "leave it at zero.",
+        "Inflections and turning: worst of nine sections across the moved line, each side on its own.",
+        "Gauss sign: share of the region's area whose Gaussian curvature changed between dome and saddle.",
+        "Crease: RMS difference of the angle across the line after and before. Rim crease: change of the angle between "
+        "triangles across the region's border.",
+        "Squash: smallest remaining width of a triangle, measured across the line, as a share of its width before. "
+        "Flips: triangles turned over."};
+}
+
+std::string html_report(const Job& job, const JobOutcome& outcome, const std::vector<Picture>& pictures,
+                        const Stage& stage)
+{
+    Page page;
+    page.title = fmt::format("{}: {}", job.input.filename().string(), job.move.method);
+    page.headline = move_headline(outcome);
+    page.description = job.description;
+    page.facts = job_facts(job, outcome.preparation, &outcome.move);
+    page.facts.emplace_back("Method", job.move.method);
+    page.entries = {entry_of(job, outcome)};
     for (const Picture& picture : pictures) {
-        page += fmt::format("<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption>"
-                            "</figure>\n",
-                            html_text(picture.title), base64(picture.png));
+        if (picture.name.starts_with("before_")) {
+            page.before.push_back(picture);
+        } else if (picture.name.starts_with("after_")) {
+            page.entries.front().pictures.push_back(picture);
+        } else {
+            page.entries.front().sections = picture;
+        }
     }
-    return page + fmt::format("</div>\n<p>tapeline {}, input SHA-256 {}</p>\n</body></html>\n", version(),
-                              outcome.input_sha256);
+    page.target = &outcome.preparation.target->line;
+    page.stage = &stage;
+    page.warnings = outcome.warnings;
+    page.notes = reading_notes();
+    page.footer = fmt::format("tapeline {}, input SHA-256 {}", version(), outcome.input_sha256);
+    return page_html(page);
 }
 
 } // namespace tapeline

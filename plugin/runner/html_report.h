@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "plugin/runner/pictures.h"
+#include "plugin/runner/page.h"
 #include "plugin/runner/runner.h"
 
 namespace tapeline {
 
-/// One self-contained HTML page: what was done, the measures before and after, warnings, and the pictures.
-std::string html_report(const Job& job, const JobOutcome& outcome, const std::vector<Picture>& pictures);
+/// What a page says of the job and of what all its results share: input, line, slide, region.
+std::vector<std::pair<std::string, std::string>> job_facts(const Job& job, const Preparation& preparation,
+                                                           const MoveResult* move);
 
-/// Text with the characters that HTML reserves replaced.
-std::string html_text(std::string_view text);
+/// What a method is, in one line.
+std::string method_title(const std::string& method);
 
-/// Base64 of bytes (RFC 4648).
-std::string base64(std::string_view bytes);
+/// How to read the measures of a page.
+std::vector<std::string> reading_notes();
+
+/// The page of one move (see page_html), from the pictures that `draw_move` made on that stage.
+std::string html_report(const Job& job, const JobOutcome& outcome, const std::vector<Picture>& pictures,
+                        const Stage& stage);
 
 } // namespace tapeline

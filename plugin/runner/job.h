@@ -100,6 +100,8 @@ struct GateSettings {
 struct CommandSettings {
     std::filesystem::path job;
     std::filesystem::path out_target;
+    std::filesystem::path out_folder;
+    std::vector<std::string> methods;
     std::filesystem::path json;
     std::filesystem::path picture;
     std::filesystem::path save_job;

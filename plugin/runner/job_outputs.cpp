@@ -31,9 +31,9 @@ Result<void> check_ending(const fs::path& path, std::initializer_list<const char
     return {};
 }
 
-constexpr std::array<const char*, 7> picture_names = {
-    "before_shaded.png",    "after_shaded.png",    "before_zebra.png", "after_zebra.png",
-    "before_curvature.png", "after_curvature.png", "sections.png"};
+constexpr std::array<const char*, 9> picture_names = {
+    "before_shaded.png",   "after_shaded.png",   "before_zebra.png",  "after_zebra.png", "before_curvature.png",
+    "after_curvature.png", "before_closeup.png", "after_closeup.png", "sections.png"};
 
 ExportOptions export_options(const Job& job) { return {job.outputs.ascii, unit_length_mm(job.import.units)}; }
 
@@ -112,11 +112,14 @@ Result<void> write_outputs(const Job& job, JobOutcome& outcome, Stopwatch& watch
         outputs.add(o.save_target, [&](const fs::path& path) { return write_target(path, target); });
     }
     std::vector<Picture> pictures;
+    Stage stage;
     if (!o.pictures.empty() || !o.report.empty()) {
         if (!progress.report(0, "pictures")) {
             return fail(ErrorKind::cancelled, "cancelled");
         }
-        Result<std::vector<Picture>> drawn = draw_move(outcome.move, target);
+        const Preparation& p = outcome.preparation;
+        stage = make_stage(p.model.mesh, p.region, outcome.move, target);
+        Result<std::vector<Picture>> drawn = draw_move(outcome.move, target, stage);
         if (!drawn) {
             return tl::unexpected(drawn.error());
         }
@@ -135,7 +138,7 @@ Result<void> write_outputs(const Job& job, JobOutcome& outcome, Stopwatch& watch
         }
     };
     add_text(o.line_vertices, [&] { return vertex_list_text(outcome.move.correspondence.line); });
-    add_text(o.report, [&] { return html_report(job, outcome, pictures); });
+    add_text(o.report, [&] { return html_report(job, outcome, pictures, stage); });
     add_text(job.command.save_job, [&] { return job_text(job, job.command.save_job.parent_path()); });
     add_text(o.stats, [&] { return stats_text(job, outcome); });
     if (!progress.report(0.8, "write")) {

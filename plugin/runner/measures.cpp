@@ -134,7 +134,7 @@ ordered_json measures_json(const Measures& m)
     return json;
 }
 
-std::string measures_table(const Measures& m)
+Rows measure_rows(const Measures& m)
 {
     const QualityReport& q = m.quality;
     Rows rows = {{"measure", "before", "after"}};
@@ -167,8 +167,10 @@ std::string measures_table(const Measures& m)
         rows.push_back({"largest distance to the surface before [mm]", "", number(*m.surface_distance_max_mm)});
         rows.push_back({"RMS distance to the surface before [mm]", "", number(*m.surface_distance_rms_mm)});
     }
-    return text_table(rows);
+    return rows;
 }
+
+std::string measures_table(const Measures& m) { return text_table(measure_rows(m)); }
 
 std::vector<GateResult> evaluate_gates(const GateSettings& s, const Measures& m)
 {
@@ -240,6 +242,18 @@ QualityInput quality_input(const MoveResult& move, const TargetCurve& target)
     input.compressed_faces = std::move(parts.compressed);
     input.tension_faces = std::move(parts.tension);
     return input;
+}
+
+Result<Measures> measure_move(const MoveResult& move, const TargetCurve& target)
+{
+    const QualityInput input = quality_input(move, target);
+    return measure_quality(input).map([&](QualityReport report) {
+        Measures measures;
+        measures.quality = std::move(report);
+        measures.has_line = measures.has_target = measures.has_rest = true;
+        measures.has_compressed = !input.compressed_faces.empty();
+        return measures;
+    });
 }
 
 } // namespace tapeline

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/error.h"
 #include "kernel/move.h"
 #include "kernel/quality.h"
 #include "plugin/runner/job.h"
@@ -28,7 +29,9 @@ struct Measures {
 /// Measures 1-7 as JSON with stable keys; missing ones are null. Lengths mm, angles deg.
 nlohmann::ordered_json measures_json(const Measures& measures);
 
-/// The same as a table for people: measure, before, after.
+/// The same for people: rows of measure, before, after, the first one with these words.
+std::vector<std::vector<std::string>> measure_rows(const Measures& measures);
+/// The rows as a table.
 std::string measures_table(const Measures& measures);
 
 /// One limit that was asked for.
@@ -47,6 +50,9 @@ nlohmann::ordered_json gates_json(const std::vector<GateResult>& gates);
 
 /// What to measure for a finished move: the sides as the move cut them, or grown from the line when it did not.
 QualityInput quality_input(const MoveResult& move, const TargetCurve& target);
+
+/// Measures a finished move.
+Result<Measures> measure_move(const MoveResult& move, const TargetCurve& target);
 
 /// Text in columns: the first left-aligned, the others right-aligned.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);

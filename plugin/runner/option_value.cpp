@@ -37,6 +37,10 @@ struct KindText {
     std::string operator()(const LineSelector*) const { return "a line number, a part ID@FROM..TO or a file name"; }
     std::string operator()(const std::vector<int>*) const { return list("whole numbers"); }
     std::string operator()(const std::vector<double>*) const { return in_unit(list("numbers")); }
+    std::string operator()(const std::vector<std::string>*) const
+    {
+        return option.choices.empty() ? list("texts") : fmt::format("a list from {}", fmt::join(option.choices, ", "));
+    }
     std::string operator()(const std::vector<std::filesystem::path>*) const { return list("file names"); }
     std::string operator()(const std::vector<LineSelector>*) const { return list("line numbers or file names"); }
 };
@@ -145,10 +149,15 @@ struct Setter {
         *slot = x;
         return true;
     }
-    bool operator()(std::string* slot)
+    bool operator()(std::string* slot) { return choice(value, *slot); }
+    bool operator()(std::vector<std::string>* slot)
+    {
+        return list(slot, [&](const json& j, std::string& x) { return choice(j, x); });
+    }
+    bool choice(const json& j, std::string& x)
     {
         std::string candidate;
-        if (!text(value, candidate)) {
+        if (!text(j, candidate)) {
             return false;
         }
         if (!option.choices.empty() && std::ranges::find(option.choices, candidate) == option.choices.end()) {
@@ -157,7 +166,7 @@ struct Setter {
                                   kind_text(option), nearest_word(candidate, choices));
             return false;
         }
-        *slot = candidate;
+        x = candidate;
         return true;
     }
     bool operator()(std::filesystem::path* slot)
@@ -238,6 +247,7 @@ struct TextReader {
     json operator()(const std::filesystem::path*) const { return texts.back(); }
     json operator()(const LineSelector*) const { return texts.back(); }
     json operator()(const std::vector<std::filesystem::path>*) const { return texts; }
+    json operator()(const std::vector<std::string>*) const { return split_at_commas(texts); }
     json operator()(const std::vector<LineSelector>*) const { return split_at_commas(texts); }
     template <class Number>
     json operator()(const std::vector<Number>*) const
@@ -332,6 +342,8 @@ std::string help_text(const Option& option)
                                                            : fmt::format("default {}", value.get<double>()));
     } else if (value.is_string() && !value.get<std::string>().empty()) {
         notes.push_back(fmt::format("default {}", value.get<std::string>()));
+    } else if (value.is_array() && !option.zero.empty()) {
+        notes.push_back(fmt::format("default {}", option.zero));
     }
     return notes.empty() ? std::string(option.help) : fmt::format("{} [{}]", option.help, fmt::join(notes, "; "));
 }

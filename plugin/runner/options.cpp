@@ -246,11 +246,17 @@ void add_command_options(std::vector<Option>& table)
     constexpr auto c = &Job::command;
     constexpr std::string_view s = "command";
     table.insert(table.end(), {
-        {.section = s, .name = "job", .slot = at<c, &C::job>, .commands = run_command, .help = "Job file (JSON).",
-         .file = FileRole::input, .required = run_command, .operand = true},
+        {.section = s, .name = "job", .slot = at<c, &C::job>, .commands = run_command | compare_command,
+         .help = "Job file (JSON).", .file = FileRole::input, .required = run_command | compare_command,
+         .operand = true},
         {.section = s, .name = "out", .slot = at<c, &C::out_target>, .commands = target_command,
          .help = "Target line to write: .json, .step, .iges, .brep or .csv.", .file = FileRole::output,
          .required = target_command, .letter = "o"},
+        {.section = s, .name = "out", .slot = at<c, &C::out_folder>, .commands = compare_command,
+         .help = "Folder for compare.html, compare.json, one mesh a method and the pictures.", .file = FileRole::output,
+         .required = compare_command, .letter = "o"},
+        {.section = s, .name = "methods", .slot = at<c, &C::methods>, .commands = compare_command,
+         .help = "The methods to compare.", .choices = method_names(), .zero = "all"},
         {.section = s, .name = "json", .slot = at<c, &C::json>,
          .commands = mesh_command | lines_command | check_command,
          .help = "Write the answer as JSON to a file, or to standard output for -.", .file = FileRole::output},

@@ -18,12 +18,13 @@ enum Command : unsigned {
     move_command = 8,
     check_command = 16,
     run_command = 32,
-    all_commands = 63
+    compare_command = 64,
+    all_commands = 127
 };
 
 /// Where in a Job an option's value lives; the kind of pointer is the option's type.
 using OptionSlot = std::variant<bool*, int*, double*, std::optional<double>*, std::string*, std::filesystem::path*,
-                                LineSelector*, std::vector<int>*, std::vector<double>*,
+                                LineSelector*, std::vector<int>*, std::vector<double>*, std::vector<std::string>*,
                                 std::vector<std::filesystem::path>*, std::vector<LineSelector>*>;
 
 /// What a path is for.
@@ -40,7 +41,7 @@ struct Option {
     std::string_view unit = {}; ///< "mm", "deg" or empty
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
-    std::vector<std::string_view> choices = {}; ///< for text options: the allowed values; empty = any text
+    std::vector<std::string_view> choices = {}; ///< for texts and lists of them: the allowed values; empty = any text
     FileRole file = FileRole::none;
     std::string_view zero = {}; ///< what the value 0 (or an empty one) means, e.g. "automatic"; empty = nothing special
     unsigned required = 0;      ///< commands that cannot do without it

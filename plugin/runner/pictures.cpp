@@ -5,6 +5,8 @@
 #include "plugin/runner/measures.h"
 #include "plugin/runner/target_choice.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -94,44 +96,170 @@ PictureLine picture_line(std::vector<Vec3> points, bool closed, const std::array
 constexpr std::array<double, 3> old_colour{0.1, 0.35, 0.75};
 constexpr std::array<double, 3> new_colour{0.85, 0.1, 0.1};
 
+/// Aims at the section in the middle of the line, the compressed side on the left, a little from above.
+void aim_closeup(Stage& stage, const QualityInput& input)
+{
+    QualityInput middle = input;
+    middle.stations = 1;
+    const std::vector<Section> sections = cross_sections(middle);
+    if (sections.empty() || sections.front().compressed_after.empty() || sections.front().tension_after.empty()) {
+        return;
+    }
+    const Section& s = sections.front();
+    const Vec3 across = s.tension_after.back() - s.compressed_after.back();
+    const Vec3 ahead = s.normal.cross(s.outward).dot(across) < 0 ? s.normal : Vec3(-s.normal);
+    double slide = 0;
+    for (const int v : input.line) {
+        slide = std::max(slide, (input.moved.row(v) - input.rest.V.row(v)).norm());
+    }
+    constexpr double descent = 0.24; // of the view's direction towards the surface, about 14 degrees
+    const double width = std::clamp(7 * slide, 0.3 * across.norm(), 1.1 * across.norm());
+    stage.cut = {s.origin, ahead};
+    // The section lies below the middle, for what is behind it rises in the picture.
+    stage.closeup.target = s.origin + 0.1 * width * s.outward;
+    stage.closeup.direction = (ahead - descent * s.outward).normalized();
+    stage.closeup.up = s.outward;
+    stage.closeup.height_mm = 0.75 * width;
+    stage.has_closeup = true;
+}
+
+/// The part of the state behind the cutting plane, with the section in it drawn.
+Result<void> draw_closeup(const fs::path& path, const MoveResult& move, const TargetCurve& target, bool after,
+                          const Stage& stage, PictureOptions options)
+{
+    const Mesh whole{after ? move.V : move.rest.mesh.V, move.rest.mesh.F};
+    const auto clipped = clip_mesh(whole, faces_in(move.rest.mesh, shown_box(move.rest.mesh, move.region)), stage.cut);
+    if (!clipped) {
+        return tl::unexpected(clipped.error());
+    }
+    std::vector<int> kept;
+    for (const int v : move.correspondence.line.vertices) {
+        if (clipped->vertex[v] >= 0) {
+            kept.push_back(clipped->vertex[v]);
+        }
+    }
+    options.sharp_lines = {kept};
+    options.camera = stage.closeup;
+    options.values.clear();
+    options.shading = Shading::shaded;
+    QualityInput middle = quality_input(move, target);
+    middle.stations = 1;
+    options.lines.clear();
+    for (const Section& s : cross_sections(middle)) {
+        const bool one_plane = s.rest_normal == s.normal;
+        for (const auto* before : {&s.compressed_before, &s.tension_before}) {
+            if (one_plane) {
+                options.lines.push_back({*before, old_colour, {}, after});
+            }
+        }
+        for (const auto* moved : {&s.compressed_after, &s.tension_after}) {
+            if (after) {
+                options.lines.push_back({*moved, new_colour, {}});
+            }
+        }
+    }
+    return draw_mesh(path, clipped->mesh, options);
+}
+
 } // namespace
 
-Result<std::vector<Picture>> draw_move(const MoveResult& move, const TargetCurve& target)
+Eigen::AlignedBox3d shown_box(const Mesh& mesh, const Region& region)
 {
-    const Mesh& before = move.rest.mesh;
-    const Mesh after{move.V, before.F};
-    const QualityInput input = quality_input(move, target);
-    const QualityMaps maps = quality_maps(input);
-    const FeatureLine& line = move.correspondence.line;
-    const PictureLine old_line = picture_line(line_points(before, line), line.closed, old_colour);
-    const PictureLine new_line = picture_line(line_points(after, line), line.closed, new_colour);
+    constexpr double margin = 0.08;
+    Eigen::AlignedBox3d box;
+    for (const int v : region.vertices) {
+        box.extend(Vec3(mesh.V.row(v)));
+    }
+    const Vec3 grow = Vec3::Constant(margin * box.diagonal().norm());
+    return {box.min() - grow, box.max() + grow};
+}
 
-    Album album;
-    const Camera camera = fit_camera(before, move.region.faces);
+std::vector<int> faces_in(const Mesh& mesh, const Eigen::AlignedBox3d& box)
+{
+    std::vector<int> faces;
+    for (int t = 0; t < mesh.F.rows(); ++t) {
+        Eigen::AlignedBox3d triangle;
+        for (int k = 0; k < 3; ++k) {
+            triangle.extend(Vec3(mesh.V.row(mesh.F(t, k))));
+        }
+        if (box.intersects(triangle)) {
+            faces.push_back(t);
+        }
+    }
+    return faces;
+}
+
+Stage make_stage(const Mesh& model, const Region& region, const MoveResult& move, const TargetCurve& target)
+{
+    Stage stage;
+    stage.camera = fit_camera(model, region.faces);
     // The same stripes before and after, or the two could not be compared.
-    const double zebra_period = fit_zebra(before, camera, move.region.faces);
-    const auto add = [&](const std::string& kind, const std::string& title, Shading shading, bool lines,
-                         const std::vector<double>& values_before, const std::vector<double>& values_after) {
-        PictureOptions options;
+    stage.zebra_period = fit_zebra(model, stage.camera, region.faces);
+    aim_closeup(stage, quality_input(move, target));
+    return stage;
+}
+
+Result<std::vector<Picture>> draw_state(const MoveResult& move, const TargetCurve& target, bool after,
+                                        const Stage& stage, const PictureSize& size)
+{
+    const Mesh before{move.rest.mesh.V, move.rest.mesh.F}, moved{move.V, move.rest.mesh.F};
+    const Mesh& mesh = after ? moved : before;
+    const QualityMaps maps = quality_maps(quality_input(move, target));
+    const FeatureLine& line = move.correspondence.line;
+    const std::string word = after ? "after" : "before";
+    Album album;
+    PictureOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.camera = stage.camera;
+    options.zebra_period = stage.zebra_period;
+    options.sharp_lines = {line.vertices};
+    options.legend = size.legend;
+    const auto add = [&](const std::string& kind, const std::string& title, Shading shading) {
         options.shading = shading;
-        options.camera = camera;
-        options.zebra_period = zebra_period;
-        options.sharp_lines = {line.vertices};
-        options.values = values_before;
-        options.lines = lines ? std::vector{old_line, new_line} : std::vector<PictureLine>{};
-        album.add(fmt::format("before_{}.png", kind), title + ", before",
-                  [&](const fs::path& path) { return draw_mesh(path, before, options); });
-        options.values = values_after;
-        album.add(fmt::format("after_{}.png", kind), title + ", after",
-                  [&](const fs::path& path) { return draw_mesh(path, after, options); });
+        album.add(fmt::format("{}_{}.png", word, kind), fmt::format("{}, {}", title, word),
+                  [&](const fs::path& path) { return draw_mesh(path, mesh, options); });
     };
-    add("shaded", "Shaded", Shading::shaded, true, {}, {});
-    add("zebra", "Zebra stripes", Shading::zebra, false, {}, {});
-    add("curvature", "Sign of the Gaussian curvature", Shading::curvature_sign, false, maps.gauss_before,
-        maps.gauss_after);
+    options.lines = {picture_line(line_points(before, line), line.closed, old_colour)};
+    if (after || size.both_lines) {
+        options.lines.push_back(picture_line(line_points(moved, line), line.closed, new_colour));
+    }
+    add("shaded", "Shaded", Shading::shaded);
+    options.lines.clear();
+    add("zebra", "Zebra stripes", Shading::zebra);
+    options.values = after ? maps.gauss_after : maps.gauss_before;
+    add("curvature", "Sign of the Gaussian curvature", Shading::curvature_sign);
+    if (stage.has_closeup) {
+        album.add(fmt::format("{}_closeup.png", word), fmt::format("Cut across the line's middle, {}", word),
+                  [&](const fs::path& path) { return draw_closeup(path, move, target, after, stage, options); });
+    }
+    return album.finish();
+}
+
+Result<Picture> draw_section_panels(const MoveResult& move, const TargetCurve& target, int stations)
+{
+    QualityInput input = quality_input(move, target);
+    input.stations = stations;
+    Album album;
     album.add("sections.png", "Sections across the line, with curvature combs",
               [&](const fs::path& path) { return draw_sections(path, cross_sections(input)); });
-    return album.finish();
+    return album.finish().map([](std::vector<Picture> pictures) { return std::move(pictures.front()); });
+}
+
+Result<std::vector<Picture>> draw_move(const MoveResult& move, const TargetCurve& target, const Stage& stage)
+{
+    std::vector<Picture> pictures;
+    for (const bool after : {false, true}) {
+        auto drawn = draw_state(move, target, after, stage, {});
+        if (!drawn) {
+            return drawn;
+        }
+        std::ranges::move(*drawn, std::back_inserter(pictures));
+    }
+    return draw_section_panels(move, target, 9).map([&](Picture sections) {
+        pictures.push_back(std::move(sections));
+        return std::move(pictures);
+    });
 }
 
 Result<void> draw_lines(const fs::path& png, const Mesh& mesh, const std::vector<FeatureLine>& lines)

@@ -23,30 +23,6 @@ std::optional<T> named(const std::string& text, std::initializer_list<std::pair<
     return std::nullopt;
 }
 
-Error unconverged(const MoveResult& move)
-{
-    for (const SolveReport& solve : move.solves) {
-        if (!solve.converged) {
-            return {ErrorKind::not_converged,
-                    fmt::format("the solver did not converge on the {} side: error estimate {:.3g} mm after {} "
-                                "iterations, wanted {:.3g} mm; raise --max-iterations or --solver-tolerance, or give "
-                                "--allow-unconverged",
-                                solve.side, solve.error_estimate_mm, solve.iterations, solve.tolerance_mm)};
-        }
-    }
-    return {ErrorKind::not_converged, "the solver did not converge"};
-}
-
-Result<void> measure(JobOutcome& outcome)
-{
-    const QualityInput input = quality_input(outcome.move, outcome.preparation.target->line);
-    return measure_quality(input).map([&](QualityReport report) {
-        outcome.measures.quality = std::move(report);
-        outcome.measures.has_line = outcome.measures.has_target = outcome.measures.has_rest = true;
-        outcome.measures.has_compressed = !input.compressed_faces.empty();
-    });
-}
-
 void collect_warnings(JobOutcome& outcome)
 {
     const Preparation& p = outcome.preparation;
@@ -66,6 +42,20 @@ std::string mm(double x) { return fmt::format("{:.4g} mm", x); }
 } // namespace
 
 std::string_view version() { return TAPELINE_VERSION; }
+
+Error not_converged(const MoveResult& move)
+{
+    for (const SolveReport& solve : move.solves) {
+        if (!solve.converged) {
+            return {ErrorKind::not_converged,
+                    fmt::format("the solver did not converge on the {} side: error estimate {:.3g} mm after {} "
+                                "iterations, wanted {:.3g} mm; raise --max-iterations or --solver-tolerance, or give "
+                                "--allow-unconverged",
+                                solve.side, solve.error_estimate_mm, solve.iterations, solve.tolerance_mm)};
+        }
+    }
+    return {ErrorKind::not_converged, "the solver did not converge"};
+}
 
 MoveOptions move_options(const Job& job)
 {
@@ -119,12 +109,13 @@ Result<JobOutcome> run_steps(const Job& job, const Progress& progress)
             }
             watch.restart();
             if (!outcome.move.converged() && !job.move.allow_unconverged) {
-                return tl::unexpected(unconverged(outcome.move));
+                return tl::unexpected(not_converged(outcome.move));
             }
             return progress.report(0.9, "quality") ? Result<void>() : fail(ErrorKind::cancelled, "cancelled");
         })
-        .and_then([&] { return measure(outcome); })
-        .and_then([&] {
+        .and_then([&] { return measure_move(outcome.move, outcome.preparation.target->line); })
+        .and_then([&](Measures measures) {
+            outcome.measures = std::move(measures);
             watch.lap("quality");
             return file_sha256(job.input);
         })

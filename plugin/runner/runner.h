@@ -27,6 +27,9 @@ struct JobOutcome {
 /// The move's options as the job says. Fails (usage) on an unknown name.
 MoveOptions move_options(const Job& job);
 
+/// The failure of a move whose solver did not reach its tolerance: which side, by how much.
+Error not_converged(const MoveResult& move);
+
 /// Runs one job from its files to its files: read, find the line, make the target, remesh, choose the region, move,
 /// measure, write. All outputs are written together at the end, so a job that fails has touched none of them. A
 /// solver that did not converge is a failure unless the job allows it; a missed quality gate is not (see

@@ -47,7 +47,7 @@ struct TypeWriter {
     ordered_json operator()(const int*) const { return number("integer"); }
     ordered_json operator()(const double*) const { return number("number"); }
     ordered_json operator()(const std::optional<double>*) const { return number("number"); }
-    ordered_json operator()(const std::string*) const
+    ordered_json choice() const
     {
         ordered_json schema = text();
         if (!option.choices.empty()) {
@@ -55,6 +55,9 @@ struct TypeWriter {
         }
         return schema;
     }
+
+    ordered_json operator()(const std::string*) const { return choice(); }
+    ordered_json operator()(const std::vector<std::string>*) const { return list(choice()); }
     ordered_json operator()(const std::filesystem::path*) const { return text(); }
     ordered_json operator()(const LineSelector*) const { return selector(); }
     ordered_json operator()(const std::vector<int>*) const { return list(number("integer")); }

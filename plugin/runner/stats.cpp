@@ -44,20 +44,6 @@ ordered_json region_json(const Region& region)
             {"fixed", fixed}};
 }
 
-ordered_json placement_json(const PlacementResult& p)
-{
-    const bool on = p.verdict == Placement::on_surface;
-    return {{"verdict", on ? "on_surface" : "off_surface"},
-            {"off_fraction", p.off_fraction},
-            {"normal_fraction", p.normal_fraction},
-            {"compressed_side", on ? ordered_json(side_name(p.compressed)) : ordered_json(nullptr)},
-            {"c_left", p.c_left},
-            {"c_right", p.c_right},
-            {"s_alpha", p.s_alpha},
-            {"s_beta", p.s_beta},
-            {"u_max_mm", p.u_max_mm}};
-}
-
 ordered_json extension_json(const MoveResult& move)
 {
     ordered_json appended = ordered_json::array();
@@ -69,21 +55,6 @@ ordered_json extension_json(const MoveResult& move)
             {"added_vertices", move.appended.size()},
             {"appended", appended},
             {"line", move.extended_line}};
-}
-
-ordered_json solve_json(const std::vector<SolveReport>& solves)
-{
-    ordered_json list = ordered_json::array();
-    for (const SolveReport& solve : solves) {
-        list.push_back({{"side", solve.side},
-                        {"iterations", solve.iterations},
-                        {"error_estimate_mm", solve.error_estimate_mm},
-                        {"tolerance_mm", solve.tolerance_mm},
-                        {"converged", solve.converged},
-                        {"seconds", solve.seconds},
-                        {"energy", solve.energy}});
-    }
-    return list;
 }
 
 ordered_json remesh_json(const RemeshInfo& remesh)
@@ -118,6 +89,44 @@ std::vector<std::pair<const char*, int>> findings(const ImportReport& r)
 
 } // namespace
 
+ordered_json placement_json(const PlacementResult& p)
+{
+    const bool on = p.verdict == Placement::on_surface;
+    return {{"verdict", on ? "on_surface" : "off_surface"},
+            {"off_fraction", p.off_fraction},
+            {"normal_fraction", p.normal_fraction},
+            {"compressed_side", on ? ordered_json(side_name(p.compressed)) : ordered_json(nullptr)},
+            {"c_left", p.c_left},
+            {"c_right", p.c_right},
+            {"s_alpha", p.s_alpha},
+            {"s_beta", p.s_beta},
+            {"u_max_mm", p.u_max_mm}};
+}
+
+ordered_json solve_json(const std::vector<SolveReport>& solves)
+{
+    ordered_json list = ordered_json::array();
+    for (const SolveReport& solve : solves) {
+        list.push_back({{"side", solve.side},
+                        {"iterations", solve.iterations},
+                        {"error_estimate_mm", solve.error_estimate_mm},
+                        {"tolerance_mm", solve.tolerance_mm},
+                        {"converged", solve.converged},
+                        {"seconds", solve.seconds},
+                        {"energy", solve.energy}});
+    }
+    return list;
+}
+
+ordered_json retraction_json(const RetractionReport& r)
+{
+    return {{"applied", r.applied},
+            {"mode", r.mode == RetractionMode::harmonic ? "harmonic" : "planes"},
+            {"min_area_ratio", r.min_area_ratio},
+            {"flipped", r.flipped},
+            {"crossings", r.crossings}};
+}
+
 std::string stats_text(const Job& job, const JobOutcome& o)
 {
     ordered_json stats;
@@ -135,12 +144,7 @@ std::string stats_text(const Job& job, const JobOutcome& o)
     stats["region"] = region_json(o.move.region);
     stats["placement"] = placement_json(o.move.placement);
     stats["extension"] = extension_json(o.move);
-    const RetractionReport& r = o.move.retraction;
-    stats["retraction"] = {{"applied", r.applied},
-                           {"mode", r.mode == RetractionMode::harmonic ? "harmonic" : "planes"},
-                           {"min_area_ratio", r.min_area_ratio},
-                           {"flipped", r.flipped},
-                           {"crossings", r.crossings}};
+    stats["retraction"] = retraction_json(o.move.retraction);
     stats["solve"] = solve_json(o.move.solves);
     const CreaseReport& c = o.move.crease;
     stats["crease"] = {{"applied", c.applied},

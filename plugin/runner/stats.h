@@ -11,6 +11,11 @@ namespace tapeline {
 /// Statistics of a job as JSON with stable keys; lengths mm, angles deg, times s, indices in the result mesh.
 std::string stats_text(const Job& job, const JobOutcome& outcome);
 
+/// The parts of the statistics that describe a move.
+nlohmann::ordered_json placement_json(const PlacementResult& placement);
+nlohmann::ordered_json solve_json(const std::vector<SolveReport>& solves);
+nlohmann::ordered_json retraction_json(const RetractionReport& retraction);
+
 /// What was found while reading a model.
 nlohmann::ordered_json import_json(const ImportReport& report);
 /// The same as a table for people; zero counts are left out.

@@ -9,7 +9,7 @@
 namespace tapeline::testing {
 namespace {
 
-const std::vector<std::string> commands = {"mesh", "lines", "target", "move", "check", "run"};
+const std::vector<std::string> commands = {"mesh", "lines", "target", "move", "check", "run", "compare"};
 
 /// One line on standard error, nothing on standard output.
 void expect_one_sentence(const CommandRun& run, int exit_code, const std::string& part)

@@ -42,11 +42,12 @@ TEST_F(CommandMove, WritesEverythingThatIsAskedFor)
         EXPECT_NE(run.out.find(row), std::string::npos) << row;
     }
     EXPECT_EQ(files_in(folder_.path()),
-              (std::vector<std::string>{
-                  "line.txt", "moved.obj", "moved.stl", "panel.obj", "pictures/after_curvature.png",
-                  "pictures/after_shaded.png", "pictures/after_zebra.png", "pictures/before_curvature.png",
-                  "pictures/before_shaded.png", "pictures/before_zebra.png", "pictures/sections.png", "report.html",
-                  "rest.obj", "stats.json", "target.json"}));
+              (std::vector<std::string>{"line.txt", "moved.obj", "moved.stl", "panel.obj", "pictures/after_closeup.png",
+                                        "pictures/after_curvature.png", "pictures/after_shaded.png",
+                                        "pictures/after_zebra.png", "pictures/before_closeup.png",
+                                        "pictures/before_curvature.png", "pictures/before_shaded.png",
+                                        "pictures/before_zebra.png", "pictures/sections.png", "report.html", "rest.obj",
+                                        "stats.json", "target.json"}));
     EXPECT_TRUE(read_text(file("pictures/sections.png")).starts_with("\x89PNG"));
 }
 

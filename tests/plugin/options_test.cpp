@@ -15,7 +15,7 @@ using nlohmann::json;
 
 TEST(Options, HaveOneFlagOfANamePerCommand)
 {
-    for (const unsigned command : {1U, 2U, 4U, 8U, 16U, 32U}) {
+    for (const unsigned command : {1U, 2U, 4U, 8U, 16U, 32U, 64U}) {
         std::set<std::string> flags;
         for (const Option& option : option_table()) {
             if ((option.commands & command) != 0) {

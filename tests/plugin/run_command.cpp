@@ -22,10 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-pid_t start(const std::vector<std::string>& arguments, const std::string& out, const std::string& err)
+pid_t start(std::vector<std::string> words, const std::string& out, const std::string& err)
 {
-    std::vector<std::string> words = {TAPELINE_COMMAND};
-    words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) {
         argv.push_back(word.data());
@@ -37,20 +35,36 @@ pid_t start(const std::vector<std::string>& arguments, const std::string& out, c
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     pid_t process = -1;
-    const int error = posix_spawn(&process, TAPELINE_COMMAND, &actions, nullptr, argv.data(), environ);
+    const int error = posix_spawnp(&process, words.front().c_str(), &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
-        throw std::runtime_error("cannot start " TAPELINE_COMMAND);
+        throw std::runtime_error("cannot start " + words.front());
     }
     return process;
 }
 
+CommandRun ended(int status, const TemporaryFolder& folder)
+{
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), read_text(folder / "out"),
+            read_text(folder / "err")};
+}
+
 } // namespace
+
+CommandRun run_program(const std::vector<std::string>& words)
+{
+    const TemporaryFolder folder;
+    int status = 0;
+    waitpid(start(words, (folder / "out").string(), (folder / "err").string()), &status, 0);
+    return ended(status, folder);
+}
 
 CommandRun run_tapeline(const std::vector<std::string>& arguments, const std::string& interrupt_at)
 {
     const TemporaryFolder folder;
-    const pid_t process = start(arguments, (folder / "out").string(), (folder / "err").string());
+    std::vector<std::string> words = {TAPELINE_COMMAND};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const pid_t process = start(words, (folder / "out").string(), (folder / "err").string());
     int status = 0;
     bool running = true;
     while (running && !interrupt_at.empty()) {
@@ -64,8 +78,7 @@ CommandRun run_tapeline(const std::vector<std::string>& arguments, const std::st
     if (running) {
         waitpid(process, &status, 0);
     }
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), read_text(folder / "out"),
-            read_text(folder / "err")};
+    return ended(status, folder);
 }
 
 std::vector<std::string> files_in(const fs::path& folder)

@@ -20,6 +20,9 @@ struct CommandRun {
 /// error holds `interrupt_at` (if not empty), it is sent SIGINT.
 CommandRun run_tapeline(const std::vector<std::string>& arguments, const std::string& interrupt_at = {});
 
+/// Runs another program, found on PATH, and waits for it.
+CommandRun run_program(const std::vector<std::string>& words);
+
 /// Names of all files in a folder and its sub-folders, relative to it, ascending.
 std::vector<std::string> files_in(const std::filesystem::path& folder);
 

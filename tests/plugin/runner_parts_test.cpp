@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small parts of the runner, each on its own.
-#include "plugin/runner/html_report.h"
+#include "plugin/runner/html.h"
 #include "plugin/runner/measures.h"
 #include "plugin/runner/output_set.h"
 #include "plugin/runner/region_choice.h"
@@ -43,6 +43,19 @@ TEST(Base64, AgreesWithTheStandard)
     EXPECT_EQ(base64("fo"), "Zm8=");
     EXPECT_EQ(base64("foo"), "Zm9v");
     EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(HtmlTemplate, FillsNamesOnceAndLeavesValuesAsTheyStand)
+{
+    EXPECT_EQ(fill_template("a {{x}} b {{y}}{{x}}", {{"x", "1{{y}}"}, {"y", "2"}}), "a 1{{y}} b 21{{y}}");
+    EXPECT_EQ(fill_template("{{unknown}}|{{open", {}), "|{{open");
+    EXPECT_EQ(fill_template("", {{"x", "1"}}), "");
+}
+
+TEST(HtmlText, LetsNothingEndAnElementOrAScript)
+{
+    EXPECT_EQ(html_text("<a href=\"x\">'&'</a>"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;");
+    EXPECT_EQ(script_json(R"({"name":"</script><!--"})"), R"({"name":"\u003c/script>\u003c!--"})");
 }
 
 TEST(VertexList, ReadsTextAndJson)

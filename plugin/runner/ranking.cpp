@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/runner/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
+#include <tuple>
+
+namespace tapeline {
+
+namespace {
+
+/// Bulges that differ by less than this share of the slide are no difference.
+constexpr double equal_bulge = 0.01;
+
+int new_inflections(const SectionMeasure& m) { return std::max(0, m.inflections_after - m.inflections_before); }
+
+int new_inflections(const QualityReport& q)
+{
+    return new_inflections(q.compressed_sections) + new_inflections(q.tension_sections);
+}
+
+double least_bulge(const std::vector<MethodRun>& runs)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const MethodRun& run : runs) {
+        if (run.sound() && run.measures.has_compressed) {
+            least = std::min(least, std::abs(run.measures.quality.bulge_max_mm));
+        }
+    }
+    return least;
+}
+
+std::string size_text(double mm) { return fmt::format("{:.2g} mm", mm); }
+
+std::string count_text(int count, const char* what)
+{
+    return fmt::format("{} {}{}", count == 0 ? "no" : std::to_string(count), what, count == 1 ? "" : "s");
+}
+
+/// Flips and inflections, as far as they differ from the other's; nothing where they do not.
+std::string blemishes(const MethodRun& run, const MethodRun* other)
+{
+    const QualityReport& q = run.measures.quality;
+    std::vector<std::string> parts;
+    if (other == nullptr || new_inflections(q) != new_inflections(other->measures.quality)) {
+        parts.push_back(count_text(new_inflections(q), "new inflection"));
+    }
+    if (other == nullptr || q.flipped != other->measures.quality.flipped) {
+        parts.push_back(count_text(q.flipped, "flipped triangle"));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string bulge_text(const MethodRun& run) { return size_text(std::abs(run.measures.quality.bulge_max_mm)); }
+
+} // namespace
+
+std::vector<int> rank_runs(const std::vector<MethodRun>& runs)
+{
+    const double least = least_bulge(runs);
+    const auto key = [&](int k) {
+        const Measures& m = runs[k].measures;
+        const QualityReport& q = m.quality;
+        const double bulge = m.has_compressed ? std::abs(q.bulge_max_mm) : 0;
+        const bool near = !m.has_compressed || bulge <= least + equal_bulge * q.slide_max_mm;
+        return std::tuple(near ? 0 : bulge, q.flipped, new_inflections(q), m.has_compressed ? bulge : 0,
+                          q.gauss_sign_change);
+    };
+    std::vector<int> ranking;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        if (runs[k].sound()) {
+            ranking.push_back(static_cast<int>(k));
+        }
+    }
+    std::ranges::stable_sort(ranking, {}, key);
+    return ranking;
+}
+
+std::string comparison_headline(const std::vector<MethodRun>& runs, const std::vector<int>& ranking)
+{
+    if (ranking.empty()) {
+        return runs.size() == 1 ? fmt::format("{} gave no result that can be ranked.", runs.front().method)
+                                : "None of the methods gave a result that can be ranked.";
+    }
+    const MethodRun& best = runs[ranking.front()];
+    const bool bulge = best.measures.has_compressed;
+    std::string text = fmt::format("{} comes first", best.method);
+    if (bulge) {
+        text += fmt::format(": its bulge is {}, {:.1g} % of the {:.3g} mm slide", bulge_text(best),
+                            100 * best.measures.quality.bulge_fraction, best.measures.quality.slide_max_mm);
+    }
+    text += fmt::format(", with {}.", blemishes(best, nullptr));
+    if (ranking.size() == 1) {
+        return text;
+    }
+    const MethodRun& next = runs[ranking[1]];
+    const std::string worse = blemishes(next, &best);
+    text += fmt::format(" {} follows", next.method);
+    if (bulge || !worse.empty()) {
+        text +=
+            fmt::format(" with {}{}{}", bulge ? bulge_text(next) : "", bulge && !worse.empty() ? " and " : "", worse);
+    }
+    const auto worst =
+        std::ranges::max_element(ranking, {}, [&](int k) { return std::abs(runs[k].measures.quality.bulge_max_mm); });
+    if (bulge && *worst != ranking.front() && *worst != ranking[1]) {
+        text += fmt::format("; {} bulges most, {}", runs[*worst].method, bulge_text(runs[*worst]));
+    }
+    return text + ".";
+}
+
+std::string comparison_table(const Comparison& c)
+{
+    std::vector<std::vector<std::string>> rows = {{"method", "bulge [mm]", "inflections", "sign change [%]", "squash",
+                                                   "flips", "error [mm]", "seconds", "verdict"}};
+    const auto row = [&](const MethodRun& run, const std::string& verdict) {
+        if (!run.move) {
+            rows.push_back({run.method, "-", "-", "-", "-", "-", "-", fmt::format("{:.2f}", run.seconds), verdict});
+            return;
+        }
+        const QualityReport& q = run.measures.quality;
+        double error = 0;
+        for (const SolveReport& solve : run.move->solves) {
+            error = std::max(error, solve.error_estimate_mm);
+        }
+        rows.push_back(
+            {run.method, run.measures.has_compressed ? fmt::format("{:.4g}", q.bulge_max_mm) : "-",
+             fmt::format("{}, {}", q.compressed_sections.inflections_after, q.tension_sections.inflections_after),
+             fmt::format("{:.2f}", 100 * q.gauss_sign_change), fmt::format("{:.3f}", q.squash),
+             std::to_string(q.flipped), fmt::format("{:.2g}", error), fmt::format("{:.2f}", run.seconds), verdict});
+    };
+    for (std::size_t place = 0; place < c.ranking.size(); ++place) {
+        row(c.runs[c.ranking[place]], fmt::format("{}", place + 1));
+    }
+    std::string reasons;
+    for (const MethodRun& run : c.runs) {
+        if (!run.sound()) {
+            row(run, run.move ? "not converged" : "failed");
+            reasons += fmt::format("{}: {}\n", run.method, run.failure->message);
+        }
+    }
+    return text_table(rows) + reasons + comparison_headline(c.runs, c.ranking) + "\n";
+}
+
+} // namespace tapeline

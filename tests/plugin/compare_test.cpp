@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `tapeline compare` on a coarse crease panel, from the job file to everything that it writes.
+#include "kernel/method.h"
+#include "tests/plugin/run_command.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace tapeline::testing {
+namespace {
+
+using nlohmann::json;
+
+/// A job on the panel, whose middle half of the crease slides by up to 80 mm.
+json panel_job()
+{
+    return {{"description", "a <b>bold</b> slide & \"more\""},
+            {"input", "<i>panel'.obj"},
+            {"lines", {{"line", "0@25%..75%"}}},
+            {"target", {{"slide", {0, 40, 80, 40, 0}}}},
+            {"outputs", {{"out", "single.obj"}, {"stats", "single.json"}}},
+            {"gate", {{"max_bulge", 1.0}}}};
+}
+
+/// Runs a comparison into the folder `out` beside the job.
+CommandRun compare(const TemporaryFolder& folder, const json& job, const std::vector<std::string>& more,
+                   const std::string& out = "out")
+{
+    if (!std::filesystem::exists(folder / "<i>panel'.obj")) {
+        write_panel(folder / "panel.obj", 24, 18);
+        std::filesystem::rename(folder / "panel.obj", folder / "<i>panel'.obj");
+    }
+    folder.write("job.json", job.dump());
+    std::vector<std::string> arguments = {"compare", (folder / "job.json").string(), "-o", (folder / out).string(),
+                                          "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_tapeline(arguments);
+}
+
+/// All methods on the panel, run once for the tests that look at the results.
+class Compare : public ::testing::Test {
+protected:
+    static void SetUpTestSuite()
+    {
+        folder_ = std::make_unique<TemporaryFolder>();
+        run_ = compare(*folder_, panel_job(), {"--threads", "1"});
+        page_ = read_text(*folder_ / "out/compare.html");
+        result_ = json::parse(read_text(*folder_ / "out/compare.json"), nullptr, false);
+    }
+    static void TearDownTestSuite() { folder_.reset(); }
+
+    static const json& method(const std::string& name)
+    {
+        return *std::ranges::find_if(result_["methods"], [&](const json& m) { return m["method"] == name; });
+    }
+
+    static std::unique_ptr<TemporaryFolder> folder_;
+    static CommandRun run_;
+    static std::string page_;
+    static json result_;
+};
+std::unique_ptr<TemporaryFolder> Compare::folder_;
+CommandRun Compare::run_;
+std::string Compare::page_;
+json Compare::result_;
+
+TEST_F(Compare, RunsEveryMethodAndRanksThem)
+{
+    ASSERT_EQ(run_.exit_code, 0) << run_.err;
+    EXPECT_EQ(run_.err, "");
+    ASSERT_EQ(result_["methods"].size(), method_table().size());
+    std::vector<int> ranks;
+    for (std::size_t k = 0; k < method_table().size(); ++k) {
+        const json& m = result_["methods"][k];
+        const std::string name(method_table()[k].name);
+        EXPECT_EQ(m["method"], name);
+        EXPECT_NE(page_.find(">" + name + "</th>"), std::string::npos) << name;
+        EXPECT_NE(run_.out.find(name), std::string::npos) << name;
+        if (m["state"] == "done") {
+            ranks.push_back(m["rank"]);
+            EXPECT_EQ(m["mesh"], name + ".obj");
+            EXPECT_TRUE(std::filesystem::exists(*folder_ / ("out/" + name + ".obj")));
+            for (const char* kind : {"shaded", "zebra", "curvature", "closeup", "sections"}) {
+                const auto picture = *folder_ / ("out/pictures/" + name + "_" + kind + ".png");
+                EXPECT_TRUE(read_text(picture).starts_with("\x89PNG")) << picture;
+            }
+        } else {
+            EXPECT_FALSE(m["reason"].get<std::string>().empty()) << name;
+        }
+    }
+    std::ranges::sort(ranks);
+    for (std::size_t k = 0; k < ranks.size(); ++k) {
+        EXPECT_EQ(ranks[k], static_cast<int>(k) + 1);
+    }
+    EXPECT_GE(ranks.size(), 3U);
+}
+
+TEST_F(Compare, PutsAMethodThatKeepsTheSurfaceBeforeOneThatBuckles)
+{
+    const json &ours = method("asan-fl"), &arap = method("arap-sr");
+    EXPECT_LT(ours["rank"], arap["rank"]);
+    EXPECT_LT(ours["quality"]["bulge"]["fraction"], 0.01);
+    EXPECT_GT(arap["quality"]["bulge"]["fraction"], 0.1);
+    EXPECT_TRUE(ours["gates"][0]["passed"]);
+    EXPECT_FALSE(arap["gates"][0]["passed"]);
+    const std::string headline = result_["headline"];
+    EXPECT_TRUE(headline.starts_with(result_["winner"].get<std::string>() + " comes first: its bulge is ")) << headline;
+    EXPECT_NE(page_.find(headline), std::string::npos);
+}
+
+TEST_F(Compare, MeasuresWhatASingleMoveMeasures)
+{
+    for (const std::string name : {"asan-fl", "arap-sr"}) {
+        json job = panel_job();
+        job["move"]["method"] = name;
+        folder_->write("single_job.json", job.dump());
+        const CommandRun run = run_tapeline({"run", (*folder_ / "single_job.json").string(), "--quiet"});
+        EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 5) << run.err;
+        EXPECT_EQ(read_text(*folder_ / "single.obj"), read_text(*folder_ / ("out/" + name + ".obj"))) << name;
+        const json single = json::parse(read_text(*folder_ / "single.json"));
+        EXPECT_EQ(single["quality"], method(name)["quality"]) << name;
+        EXPECT_EQ(single["placement"], method(name)["placement"]) << name;
+    }
+}
+
+TEST_F(Compare, HasStableKeys)
+{
+    for (const char* pointer : {"/tool_version",
+                                "/description",
+                                "/input/path",
+                                "/input/sha256",
+                                "/line/length_mm",
+                                "/region/vertices",
+                                "/region/distance_mm",
+                                "/headline",
+                                "/winner",
+                                "/threads_per_method",
+                                "/methods/0/method",
+                                "/methods/0/state",
+                                "/methods/0/reason",
+                                "/methods/0/rank",
+                                "/methods/0/mesh",
+                                "/methods/0/placement/compressed_side",
+                                "/methods/0/retraction/crossings",
+                                "/methods/0/solve/0/iterations",
+                                "/methods/0/solve/0/error_estimate_mm",
+                                "/methods/0/quality/bulge/max_mm",
+                                "/methods/0/quality/bulge/rms_mm",
+                                "/methods/0/quality/sections/compressed/inflections_after",
+                                "/methods/0/quality/rim_crease/max_change",
+                                "/methods/0/quality/squash",
+                                "/methods/0/gates/0/passed",
+                                "/methods/0/warnings",
+                                "/methods/0/seconds",
+                                "/warnings",
+                                "/seconds/methods",
+                                "/seconds/pictures"}) {
+        EXPECT_TRUE(result_.contains(json::json_pointer(pointer))) << pointer;
+    }
+    EXPECT_NEAR(method("asan-fl")["quality"]["slide_max_mm"], 80, 1);
+}
+
+TEST_F(Compare, EscapesWhatComesFromTheJob)
+{
+    EXPECT_EQ(page_.find("<b>bold"), std::string::npos);
+    EXPECT_EQ(page_.find("<i>panel"), std::string::npos);
+    EXPECT_NE(page_.find("a &lt;b&gt;bold&lt;/b&gt; slide &amp; &quot;more&quot;"), std::string::npos);
+    EXPECT_NE(page_.find("&lt;i&gt;panel&#39;.obj"), std::string::npos);
+}
+
+TEST_F(Compare, GivesTheSameMeshesAndPicturesOnAnyNumberOfThreads)
+{
+    ASSERT_EQ(compare(*folder_, panel_job(), {"--methods", "asan-fl,asan", "--threads", "4"}, "four").exit_code, 0);
+    int compared = 0; // without the close-ups, whose camera follows the method that comes first
+    for (const std::string& name : files_in(*folder_ / "four")) {
+        if (name.ends_with(".obj") || (name.ends_with(".png") && !name.ends_with("_closeup.png"))) {
+            EXPECT_EQ(read_text(*folder_ / ("four/" + name)), read_text(*folder_ / ("out/" + name))) << name;
+            ++compared;
+        }
+    }
+    EXPECT_EQ(compared, 2 + 3 + 2 * 4);
+    json four = json::parse(read_text(*folder_ / "four/compare.json"));
+    for (json m : four["methods"]) {
+        json one = method(m["method"]);
+        for (json* r : {&m, &one}) {
+            r->erase("seconds");
+            r->erase("rank");
+            for (json& solve : (*r)["solve"]) {
+                solve.erase("seconds");
+            }
+        }
+        EXPECT_EQ(one, m);
+    }
+}
+
+TEST(CompareFailure, OfAMethodIsARowThatSaysWhy)
+{
+    const TemporaryFolder folder;
+    json job = panel_job();
+    job["move"] = {{"max_iterations", 1}};
+    const CommandRun run = compare(folder, job, {"--methods", "asan,arap-sr"});
+    EXPECT_EQ(run.exit_code, 4) << "no method gave a result";
+    const json r = json::parse(read_text(folder / "out/compare.json"));
+    EXPECT_TRUE(r["winner"].is_null());
+    for (const json& m : r["methods"]) {
+        EXPECT_EQ(m["state"], "not_converged");
+        EXPECT_TRUE(m["rank"].is_null());
+        EXPECT_NE(m["reason"].get<std::string>().find("did not converge"), std::string::npos);
+    }
+    const std::string page = read_text(folder / "out/compare.html");
+    EXPECT_NE(page.find("did not converge"), std::string::npos);
+    EXPECT_EQ(page.find("best\">"), std::string::npos) << "what is not sound is not the best of anything";
+}
+
+TEST(CompareFailure, WritesNothingWhenTheJobCannotBePrepared)
+{
+    const TemporaryFolder folder;
+    json job = panel_job();
+    job["target"] = {{"slide", 4000}};
+    const CommandRun run = compare(folder, job, {});
+    EXPECT_EQ(run.exit_code, 3) << run.err;
+    EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"<i>panel'.obj", "job.json"}));
+}
+
+TEST(CompareFailure, ComesEarlyForMethodsThatDoNotExistOrStandTwice)
+{
+    const TemporaryFolder folder;
+    const CommandRun unknown = compare(folder, panel_job(), {"--methods", "asan-fl,arap-xx"});
+    EXPECT_EQ(unknown.exit_code, 1);
+    EXPECT_NE(unknown.err.find("'arap-xx'"), std::string::npos) << unknown.err;
+    const CommandRun twice = compare(folder, panel_job(), {"--methods", "asan-fl,asan-fl"});
+    EXPECT_EQ(twice.exit_code, 1);
+    EXPECT_NE(twice.err.find("twice"), std::string::npos) << twice.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(CompareFailure, ComesAtOnceWhenInterrupted)
+{
+    const TemporaryFolder folder;
+    write_panel(folder / "<i>panel'.obj.obj", 24, 18);
+    std::filesystem::rename(folder / "<i>panel'.obj.obj", folder / "<i>panel'.obj");
+    folder.write("job.json", panel_job().dump());
+    const CommandRun run = run_tapeline(
+        {"compare", (folder / "job.json").string(), "-o", (folder / "out").string(), "--progress=json"}, "methods");
+    EXPECT_EQ(run.exit_code, 130) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+} // namespace
+} // namespace tapeline::testing
