@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/remesh_features.h"
 
+#include "kernel/crease_edges.h"
 #include "kernel/curve.h"
 
 #include <Eigen/Geometry>
@@ -13,6 +14,7 @@ namespace tapeline {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+constexpr double standing_out_share = 0.4; ///< as for feature lines
 
 struct Features {
     const Model& model;
@@ -29,6 +31,14 @@ struct Features {
     {
         const Vec3 l = triangle_normal(model.mesh, e.left), r = triangle_normal(model.mesh, e.right);
         return std::atan2(l.cross(r).norm(), l.dot(r)) / degree;
+    }
+    /// How sharp the edge is as a feature [deg]: of a mesh without CAD faces what stands out, since the facets of a
+    /// tessellated cylinder are none.
+    double sharpness(int e) const
+    {
+        return model.cad_face.empty() && crease(topology.edge(e)) < very_sharp_angle
+                   ? standing_out_angle(model.mesh, topology, e)
+                   : crease(topology.edge(e));
     }
     int cad_face(int t) const { return model.cad_face.empty() ? -1 : model.cad_face[t]; }
 };
@@ -99,7 +109,7 @@ void keep_sharp(Features& f, const std::vector<int>& tags)
     std::vector<int> sharp_cad_edges;
     for (int e = 0; e < f.topology.edge_count(); ++e) {
         const MeshEdge& edge = f.topology.edge(e);
-        if (!f.inside(edge) || f.crease(edge) < f.angle) {
+        if (!f.inside(edge) || f.crease(edge) < f.angle || f.sharpness(e) < standing_out_share * f.angle) {
             continue;
         }
         if (tags[e] >= 0) {
@@ -131,7 +141,7 @@ int continuation(const Features& f, int v, int from)
             continue;
         }
         const double straight = arrive.dot((V.row(f.topology.other_end(e, v)) - V.row(v)).normalized());
-        if (straight > straightest && f.crease(edge) >= 0.5 * f.angle && truly_sharp(f, edge)) {
+        if (straight > straightest && f.sharpness(e) >= 0.5 * f.angle && truly_sharp(f, edge)) {
             straightest = straight;
             best = e;
         }
