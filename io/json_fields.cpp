@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/json_fields.h"
 
+#include "kernel/spelling.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 namespace tapeline {
 
@@ -35,22 +36,6 @@ tl::unexpected<Error> wrong(const JsonField& field, std::string_view wanted)
     const std::string place = field.key.empty() ? "the content" : fmt::format("\"{}\"", field.key);
     return fail(ErrorKind::unreadable,
                 fmt::format("{}: {} must be {}, not {}", field.file, place, wanted, kind_of(*field.value)));
-}
-
-/// Levenshtein distance.
-size_t edits_between(std::string_view a, std::string_view b)
-{
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
-    for (size_t i = 1; i <= a.size(); ++i) {
-        size_t diagonal = row[0]++;
-        for (size_t j = 1; j <= b.size(); ++j) {
-            const size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row.back();
 }
 
 } // namespace
@@ -87,11 +72,10 @@ Result<void> check_object(const JsonField& field, const std::vector<std::string_
             continue;
         }
         const std::string shown = key.substr(0, 60);
-        const auto nearest = std::ranges::min_element(
-            known_keys, {}, [&](std::string_view known) { return edits_between(shown, known); });
+        const std::string nearest = nearest_word(shown, {known_keys.begin(), known_keys.end()});
         const std::string place = field.key.empty() ? "" : fmt::format(" in \"{}\"", field.key);
         return fail(ErrorKind::unreadable, fmt::format("{}: unknown key \"{}\"{}; the nearest known key is \"{}\"",
-                                                       field.file, shown, place, *nearest));
+                                                       field.file, shown, place, nearest));
     }
     return {};
 }

@@ -4,7 +4,7 @@
 #include "plugin/runner/job_file.h"
 #include "plugin/runner/option_value.h"
 #include "plugin/runner/runner.h"
-#include "plugin/runner/spelling.h"
+#include "kernel/spelling.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/job_file.h"
 
+#include "kernel/spelling.h"
 #include "plugin/runner/json_text.h"
 #include "plugin/runner/option_value.h"
-#include "plugin/runner/spelling.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/option_value.h"
 
+#include "kernel/spelling.h"
 #include "plugin/runner/json_text.h"
-#include "plugin/runner/spelling.h"
 
 #include <charconv>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "plugin/runner/output_set.h"
 #include "plugin/runner/region_choice.h"
 #include "plugin/runner/sha256.h"
-#include "plugin/runner/spelling.h"
+#include "kernel/spelling.h"
 #include "plugin/runner/vertex_list.h"
 #include "tests/plugin/run_command.h"
 #include "tests/support/shapes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugin/runner/spelling.h"
+#include "kernel/spelling.h"
 
 #include <algorithm>
 #include <limits>
