@@ -40,6 +40,7 @@ struct PictureLine {
     std::array<double, 3> colour{0.85, 0.1, 0.1}; ///< RGB in [0, 1]
     std::string label;                            ///< drawn at the middle; empty = none
     bool dotted = false;
+    double width = 1; ///< times the usual width, which grows with the picture
 };
 
 struct PictureOptions {

@@ -139,7 +139,7 @@ std::vector<std::vector<Vec3>> Visibility::visible_parts(const std::vector<Vec3>
 void draw_lines(const Canvas& canvas, const Visibility& visibility, const View& view,
                 const std::vector<PictureLine>& lines)
 {
-    const double width = std::clamp(view.height / 300.0, 1.4, 6.0);
+    const double usual = std::clamp(view.height / 300.0, 1.4, 6.0);
     std::vector<std::vector<std::vector<Vec3>>> parts;
     for (const PictureLine& line : lines) {
         parts.push_back(visibility.visible_parts(line.points));
@@ -147,6 +147,7 @@ void draw_lines(const Canvas& canvas, const Visibility& visibility, const View& 
     for (const bool halo : {true, false}) {
         for (size_t i = 0; i < lines.size(); ++i) {
             const auto& colour = lines[i].colour;
+            const double width = usual * lines[i].width;
             const std::array<double, 2> dots{0.1, 2.4 * width};
             cairo_set_dash(canvas.cr(), dots.data(), lines[i].dotted ? 2 : 0, 0);
             cairo_set_line_width(canvas.cr(), halo ? 2.2 * width : width);

@@ -59,9 +59,9 @@ Sheet make_sheet(const Mesh& mesh, const std::vector<int>& faces, const FeatureL
     constexpr double sharp = 10; // [deg]
     const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
     std::vector<char> on_line(topology.edge_count(), 0);
-    for (std::size_t k = 0; k + 1 < line.vertices.size() + (line.closed ? 1 : 0); ++k) {
-        const int e = topology.find_edge(line.vertices[k], line.vertices[(k + 1) % line.vertices.size()]);
-        if (e >= 0) {
+    const std::vector<int> chain = whole_line(line);
+    for (std::size_t k = 1; k < chain.size(); ++k) {
+        if (const int e = topology.find_edge(chain[k - 1], chain[k]); e >= 0) {
             on_line[e] = 1;
         }
     }
@@ -111,10 +111,7 @@ public:
         json_["size"] = box_.diagonal().norm();
         json_["half"] = list(0.5 * box_.sizes());
         const Camera& camera = page.stage->camera;
-        json_["camera"] = {{"target", list(camera.target - centre_)},
-                           {"direction", list(camera.direction)},
-                           {"up", list(camera.up)},
-                           {"height", camera.height_mm}};
+        json_["camera"] = {{"direction", list(camera.direction)}, {"up", list(camera.up)}};
         json_["zebra_period"] = page.stage->zebra_period;
         json_["sheets"] = ordered_json::array();
         json_["results"] = ordered_json::array();

@@ -95,6 +95,8 @@ PictureLine picture_line(std::vector<Vec3> points, bool closed, const std::array
 
 constexpr std::array<double, 3> old_colour{0.1, 0.35, 0.75};
 constexpr std::array<double, 3> new_colour{0.85, 0.1, 0.1};
+constexpr std::array<double, 3> dark_colour{0.13, 0.15, 0.18};
+constexpr double section_width = 1.6;
 
 /// Aims at the section in the middle of the line, the compressed side on the left, a little from above.
 void aim_closeup(Stage& stage, const QualityInput& input)
@@ -107,7 +109,7 @@ void aim_closeup(Stage& stage, const QualityInput& input)
     }
     const Section& s = sections.front();
     const Vec3 across = s.tension_after.back() - s.compressed_after.back();
-    const Vec3 ahead = s.normal.cross(s.outward).dot(across) < 0 ? s.normal : Vec3(-s.normal);
+    const Vec3 ahead = s.normal.cross(s.outward).dot(across) > 0 ? s.normal : Vec3(-s.normal);
     double slide = 0;
     for (const int v : input.line) {
         slide = std::max(slide, (input.moved.row(v) - input.rest.V.row(v)).norm());
@@ -133,7 +135,7 @@ Result<void> draw_closeup(const fs::path& path, const MoveResult& move, const Ta
         return tl::unexpected(clipped.error());
     }
     std::vector<int> kept;
-    for (const int v : move.correspondence.line.vertices) {
+    for (const int v : whole_line(move.correspondence.line)) {
         if (clipped->vertex[v] >= 0) {
             kept.push_back(clipped->vertex[v]);
         }
@@ -149,12 +151,12 @@ Result<void> draw_closeup(const fs::path& path, const MoveResult& move, const Ta
         const bool one_plane = s.rest_normal == s.normal;
         for (const auto* before : {&s.compressed_before, &s.tension_before}) {
             if (one_plane) {
-                options.lines.push_back({*before, old_colour, {}, after});
+                options.lines.push_back({*before, after ? dark_colour : old_colour, {}, after, section_width});
             }
         }
         for (const auto* moved : {&s.compressed_after, &s.tension_after}) {
             if (after) {
-                options.lines.push_back({*moved, new_colour, {}});
+                options.lines.push_back({*moved, new_colour, {}, false, section_width});
             }
         }
     }
@@ -162,6 +164,17 @@ Result<void> draw_closeup(const fs::path& path, const MoveResult& move, const Ta
 }
 
 } // namespace
+
+std::vector<int> whole_line(const FeatureLine& line)
+{
+    std::vector<int> chain(line.before.rbegin(), line.before.rend());
+    chain.insert(chain.end(), line.vertices.begin(), line.vertices.end());
+    chain.insert(chain.end(), line.after.begin(), line.after.end());
+    if (line.closed) {
+        chain.push_back(chain.front());
+    }
+    return chain;
+}
 
 Eigen::AlignedBox3d shown_box(const Mesh& mesh, const Region& region)
 {
@@ -213,7 +226,7 @@ Result<std::vector<Picture>> draw_state(const MoveResult& move, const TargetCurv
     options.height = size.height;
     options.camera = stage.camera;
     options.zebra_period = stage.zebra_period;
-    options.sharp_lines = {line.vertices};
+    options.sharp_lines = {whole_line(line)};
     options.legend = size.legend;
     const auto add = [&](const std::string& kind, const std::string& title, Shading shading) {
         options.shading = shading;

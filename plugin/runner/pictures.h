@@ -49,6 +49,9 @@ Result<Picture> draw_section_panels(const MoveResult& move, const TargetCurve& t
 /// All pictures of one move: both states and the sections.
 Result<std::vector<Picture>> draw_move(const MoveResult& move, const TargetCurve& target, const Stage& stage);
 
+/// Vertices of the whole feature line that this one is a part of, in order: its crease goes on beyond the part.
+std::vector<int> whole_line(const FeatureLine& line);
+
 /// The region with a margin: what is shown of a move from close.
 Eigen::AlignedBox3d shown_box(const Mesh& mesh, const Region& region);
 /// The triangles that reach into the box, ascending.

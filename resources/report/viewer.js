@@ -32,7 +32,7 @@ canvas.tabIndex = 0;
 canvas.setAttribute('aria-label', 'The surface, to be turned with the mouse');
 const context = makeContext(canvas);
 if (!context || !context.getExtension('OES_standard_derivatives')) {
-  message.textContent = 'This browser has no WebGL, so there is no view to turn; the pictures below show the same.';
+  message.textContent = 'This browser has no WebGL, so there is no model to turn; the pictures below show the same.';
   viewer.dataset.state = 'no-webgl';
   return;
 }
@@ -214,8 +214,29 @@ controls.screenSpacePanning = true;
 canvas.addEventListener('pointerdown', () => { controls.enableZoom = true; canvas.focus(); });
 document.addEventListener('pointerdown', (event) => { if (event.target !== canvas) controls.enableZoom = false; });
 
+// Looks as the pictures do, with all that is shown in sight.
+const sight = (() => {
+  const ahead = vector(scene.camera.direction).normalize();
+  const right = new THREE.Vector3().crossVectors(ahead, vector(scene.camera.up)).normalize();
+  const up = new THREE.Vector3().crossVectors(right, ahead);
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], rest = sheets[0].rest;
+  const point = new THREE.Vector3();
+  for (let k = 0; k < rest.length; k += 3) {
+    point.set(rest[k], rest[k + 1], rest[k + 2]);
+    if (scene.half.every((h, i) => Math.abs(rest[k + i]) <= h)) {
+      [right, up, ahead].forEach((axis, i) => {
+        low[i] = Math.min(low[i], point.dot(axis));
+        high[i] = Math.max(high[i], point.dot(axis));
+      });
+    }
+  }
+  const target = new THREE.Vector3();
+  [right, up, ahead].forEach((axis, i) => target.addScaledVector(axis, (low[i] + high[i]) / 2));
+  return { target: target, width: high[0] - low[0], height: high[1] - low[1] };
+})();
+
 function home() {
-  controls.target.copy(vector(scene.camera.target));
+  controls.target.copy(sight.target);
   camera.position.copy(controls.target).addScaledVector(vector(scene.camera.direction), -far);
   camera.zoom = 1;
   camera.updateProjectionMatrix();
@@ -226,8 +247,7 @@ function resize() {
   const width = stage.clientWidth, height = stage.clientHeight;
   if (width < 1 || height < 1) return;
   renderer.setSize(width, height, false);
-  // Room for a picture of 4:3, whatever the window's shape.
-  const half = 0.55 * scene.camera.height * Math.max(1, (4 / 3) / (width / height));
+  const half = 0.54 * Math.max(sight.height, sight.width * height / width);
   camera.top = half;
   camera.bottom = -half;
   camera.right = half * width / height;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 namespace tapeline::testing {
 namespace {
@@ -38,93 +39,12 @@ CommandRun compare(const TemporaryFolder& folder, const json& job, const std::ve
     return run_tapeline(arguments);
 }
 
-/// All methods on the panel, run once for the tests that look at the results.
-class Compare : public ::testing::Test {
-protected:
-    static void SetUpTestSuite()
-    {
-        folder_ = std::make_unique<TemporaryFolder>();
-        run_ = compare(*folder_, panel_job(), {"--threads", "1"});
-        page_ = read_text(*folder_ / "out/compare.html");
-        result_ = json::parse(read_text(*folder_ / "out/compare.json"), nullptr, false);
-    }
-    static void TearDownTestSuite() { folder_.reset(); }
-
-    static const json& method(const std::string& name)
-    {
-        return *std::ranges::find_if(result_["methods"], [&](const json& m) { return m["method"] == name; });
-    }
-
-    static std::unique_ptr<TemporaryFolder> folder_;
-    static CommandRun run_;
-    static std::string page_;
-    static json result_;
-};
-std::unique_ptr<TemporaryFolder> Compare::folder_;
-CommandRun Compare::run_;
-std::string Compare::page_;
-json Compare::result_;
-
-TEST_F(Compare, RunsEveryMethodAndRanksThem)
+const json& method_of(const json& result, const std::string& name)
 {
-    ASSERT_EQ(run_.exit_code, 0) << run_.err;
-    EXPECT_EQ(run_.err, "");
-    ASSERT_EQ(result_["methods"].size(), method_table().size());
-    std::vector<int> ranks;
-    for (std::size_t k = 0; k < method_table().size(); ++k) {
-        const json& m = result_["methods"][k];
-        const std::string name(method_table()[k].name);
-        EXPECT_EQ(m["method"], name);
-        EXPECT_NE(page_.find(">" + name + "</th>"), std::string::npos) << name;
-        EXPECT_NE(run_.out.find(name), std::string::npos) << name;
-        if (m["state"] == "done") {
-            ranks.push_back(m["rank"]);
-            EXPECT_EQ(m["mesh"], name + ".obj");
-            EXPECT_TRUE(std::filesystem::exists(*folder_ / ("out/" + name + ".obj")));
-            for (const char* kind : {"shaded", "zebra", "curvature", "closeup", "sections"}) {
-                const auto picture = *folder_ / ("out/pictures/" + name + "_" + kind + ".png");
-                EXPECT_TRUE(read_text(picture).starts_with("\x89PNG")) << picture;
-            }
-        } else {
-            EXPECT_FALSE(m["reason"].get<std::string>().empty()) << name;
-        }
-    }
-    std::ranges::sort(ranks);
-    for (std::size_t k = 0; k < ranks.size(); ++k) {
-        EXPECT_EQ(ranks[k], static_cast<int>(k) + 1);
-    }
-    EXPECT_GE(ranks.size(), 3U);
+    return *std::ranges::find_if(result["methods"], [&](const json& m) { return m["method"] == name; });
 }
 
-TEST_F(Compare, PutsAMethodThatKeepsTheSurfaceBeforeOneThatBuckles)
-{
-    const json &ours = method("asan-fl"), &arap = method("arap-sr");
-    EXPECT_LT(ours["rank"], arap["rank"]);
-    EXPECT_LT(ours["quality"]["bulge"]["fraction"], 0.01);
-    EXPECT_GT(arap["quality"]["bulge"]["fraction"], 0.1);
-    EXPECT_TRUE(ours["gates"][0]["passed"]);
-    EXPECT_FALSE(arap["gates"][0]["passed"]);
-    const std::string headline = result_["headline"];
-    EXPECT_TRUE(headline.starts_with(result_["winner"].get<std::string>() + " comes first: its bulge is ")) << headline;
-    EXPECT_NE(page_.find(headline), std::string::npos);
-}
-
-TEST_F(Compare, MeasuresWhatASingleMoveMeasures)
-{
-    for (const std::string name : {"asan-fl", "arap-sr"}) {
-        json job = panel_job();
-        job["move"]["method"] = name;
-        folder_->write("single_job.json", job.dump());
-        const CommandRun run = run_tapeline({"run", (*folder_ / "single_job.json").string(), "--quiet"});
-        EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 5) << run.err;
-        EXPECT_EQ(read_text(*folder_ / "single.obj"), read_text(*folder_ / ("out/" + name + ".obj"))) << name;
-        const json single = json::parse(read_text(*folder_ / "single.json"));
-        EXPECT_EQ(single["quality"], method(name)["quality"]) << name;
-        EXPECT_EQ(single["placement"], method(name)["placement"]) << name;
-    }
-}
-
-TEST_F(Compare, HasStableKeys)
+void expect_stable_keys(const json& result)
 {
     for (const char* pointer : {"/tool_version",
                                 "/description",
@@ -156,41 +76,119 @@ TEST_F(Compare, HasStableKeys)
                                 "/warnings",
                                 "/seconds/methods",
                                 "/seconds/pictures"}) {
-        EXPECT_TRUE(result_.contains(json::json_pointer(pointer))) << pointer;
+        EXPECT_TRUE(result.contains(json::json_pointer(pointer))) << pointer;
     }
-    EXPECT_NEAR(method("asan-fl")["quality"]["slide_max_mm"], 80, 1);
 }
 
-TEST_F(Compare, EscapesWhatComesFromTheJob)
+/// The row of every method, in JSON, in the table of the page and on the terminal, and its files.
+void expect_all_methods(const TemporaryFolder& folder, const json& result, const std::string& page,
+                        const std::string& out)
 {
-    EXPECT_EQ(page_.find("<b>bold"), std::string::npos);
-    EXPECT_EQ(page_.find("<i>panel"), std::string::npos);
-    EXPECT_NE(page_.find("a &lt;b&gt;bold&lt;/b&gt; slide &amp; &quot;more&quot;"), std::string::npos);
-    EXPECT_NE(page_.find("&lt;i&gt;panel&#39;.obj"), std::string::npos);
+    ASSERT_EQ(result["methods"].size(), method_table().size());
+    std::vector<int> ranks;
+    for (std::size_t k = 0; k < method_table().size(); ++k) {
+        const json& m = result["methods"][k];
+        const std::string name(method_table()[k].name);
+        EXPECT_EQ(m["method"], name);
+        EXPECT_NE(page.find(">" + name + "</th>"), std::string::npos) << name;
+        EXPECT_NE(out.find(name), std::string::npos) << name;
+        if (m["state"] != "done") {
+            EXPECT_FALSE(m["reason"].get<std::string>().empty()) << name;
+            continue;
+        }
+        ranks.push_back(m["rank"]);
+        EXPECT_EQ(m["mesh"], name + ".obj");
+        EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + name + ".obj")));
+        for (const char* kind : {"shaded", "zebra", "curvature", "closeup", "sections"}) {
+            const auto picture = folder / ("out/pictures/" + name + "_" + kind + ".png");
+            EXPECT_TRUE(read_text(picture).starts_with("\x89PNG")) << picture;
+        }
+    }
+    std::ranges::sort(ranks);
+    for (std::size_t k = 0; k < ranks.size(); ++k) {
+        EXPECT_EQ(ranks[k], static_cast<int>(k) + 1);
+    }
+    EXPECT_GE(ranks.size(), 3U);
 }
 
-TEST_F(Compare, GivesTheSameMeshesAndPicturesOnAnyNumberOfThreads)
+/// What comes from the job is escaped, and nothing is fetched from elsewhere.
+void expect_harmless(const std::string& page)
 {
-    ASSERT_EQ(compare(*folder_, panel_job(), {"--methods", "asan-fl,asan", "--threads", "4"}, "four").exit_code, 0);
-    int compared = 0; // without the close-ups, whose camera follows the method that comes first
-    for (const std::string& name : files_in(*folder_ / "four")) {
-        if (name.ends_with(".obj") || (name.ends_with(".png") && !name.ends_with("_closeup.png"))) {
-            EXPECT_EQ(read_text(*folder_ / ("four/" + name)), read_text(*folder_ / ("out/" + name))) << name;
+    EXPECT_EQ(page.find("<b>bold"), std::string::npos);
+    EXPECT_EQ(page.find("<i>panel"), std::string::npos);
+    EXPECT_NE(page.find("a &lt;b&gt;bold&lt;/b&gt; slide &amp; &quot;more&quot;"), std::string::npos);
+    EXPECT_NE(page.find("&lt;i&gt;panel&#39;.obj"), std::string::npos);
+    std::string markup = page;
+    for (std::size_t at = markup.find("<script"); at != std::string::npos; at = markup.find("<script", at + 1)) {
+        markup.erase(at + 7, markup.find("</script>", at) - at - 7);
+    }
+    EXPECT_FALSE(std::regex_search(markup, std::regex("(src|href)=\"(?!data:)")));
+    EXPECT_EQ(markup.find("url("), std::string::npos);
+    EXPECT_EQ(markup.find("@import"), std::string::npos);
+    EXPECT_NE(markup.find("needs JavaScript"), std::string::npos) << "the sentence for those who have none";
+    EXPECT_NE(markup.find("<svg "), std::string::npos) << "sections are there without JavaScript";
+}
+
+TEST(Compare, RunsEveryMethodRanksThemAndWritesThePage)
+{
+    const TemporaryFolder folder;
+    const CommandRun run = compare(folder, panel_job(), {});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const std::string page = read_text(folder / "out/compare.html");
+    const json result = json::parse(read_text(folder / "out/compare.json"));
+    expect_stable_keys(result);
+    expect_all_methods(folder, result, page, run.out);
+    expect_harmless(page);
+    const json &ours = method_of(result, "asan-fl"), &arap = method_of(result, "arap-sr");
+    EXPECT_NEAR(ours["quality"]["slide_max_mm"], 80, 1);
+    EXPECT_LT(ours["rank"], arap["rank"]);
+    EXPECT_LT(ours["quality"]["bulge"]["fraction"], 0.01);
+    EXPECT_GT(arap["quality"]["bulge"]["fraction"], 0.1);
+    EXPECT_TRUE(ours["gates"][0]["passed"]);
+    EXPECT_FALSE(arap["gates"][0]["passed"]);
+    const std::string headline = result["headline"];
+    EXPECT_TRUE(headline.starts_with(result["winner"].get<std::string>() + " comes first: its bulge is ")) << headline;
+    EXPECT_NE(page.find(headline), std::string::npos);
+}
+
+/// Measures of a method without times and its place among others.
+json timeless(json method)
+{
+    method.erase("seconds");
+    method.erase("rank");
+    for (json& solve : method["solve"]) {
+        solve.erase("seconds");
+    }
+    return method;
+}
+
+TEST(Compare, GivesWhatASingleMoveGivesOnAnyNumberOfThreads)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(compare(folder, panel_job(), {"--methods", "asan-fl,arap-sr", "--threads", "1"}, "one").exit_code, 0);
+    ASSERT_EQ(compare(folder, panel_job(), {"--methods", "asan-fl,arap-sr", "--threads", "4"}, "four").exit_code, 0);
+    const json one = json::parse(read_text(folder / "one/compare.json"));
+    const json four = json::parse(read_text(folder / "four/compare.json"));
+    int compared = 0;
+    for (const std::string& name : files_in(folder / "one")) {
+        if (name.ends_with(".obj") || name.ends_with(".png")) {
+            EXPECT_EQ(read_text(folder / ("four/" + name)), read_text(folder / ("one/" + name))) << name;
             ++compared;
         }
     }
-    EXPECT_EQ(compared, 2 + 3 + 2 * 4);
-    json four = json::parse(read_text(*folder_ / "four/compare.json"));
-    for (json m : four["methods"]) {
-        json one = method(m["method"]);
-        for (json* r : {&m, &one}) {
-            r->erase("seconds");
-            r->erase("rank");
-            for (json& solve : (*r)["solve"]) {
-                solve.erase("seconds");
-            }
-        }
-        EXPECT_EQ(one, m);
+    EXPECT_EQ(compared, 2 + 4 + 2 * 5);
+    for (const std::string name : {"asan-fl", "arap-sr"}) {
+        EXPECT_EQ(timeless(method_of(one, name)), timeless(method_of(four, name)));
+        json job = panel_job();
+        job["move"]["method"] = name;
+        folder.write("single_job.json", job.dump());
+        const CommandRun run = run_tapeline({"run", (folder / "single_job.json").string(), "--quiet"});
+        EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 5) << run.err;
+        EXPECT_EQ(read_text(folder / "single.obj"), read_text(folder / ("one/" + name + ".obj"))) << name;
+        const json single = json::parse(read_text(folder / "single.json"));
+        EXPECT_EQ(single["quality"], method_of(one, name)["quality"]) << name;
+        EXPECT_EQ(single["placement"], method_of(one, name)["placement"]) << name;
     }
 }
 
