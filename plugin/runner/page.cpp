@@ -3,6 +3,7 @@
 
 #include "embedded.h"
 #include "plugin/runner/html.h"
+#include "plugin/runner/numbers.h"
 #include "plugin/runner/page_parts.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ std::string words_for(const PageEntry& entry)
     const Measures& m = *entry.measures;
     const QualityReport& q = m.quality;
     return fmt::format("{}{}inflections {} and {}", entry.title.empty() ? "" : entry.title + "; ",
-                       m.has_compressed ? fmt::format("bulge {} mm, ", page::number(std::abs(q.bulge_max_mm))) : "",
+                       m.has_compressed ? fmt::format("bulge {} mm, ", short_number(std::abs(q.bulge_max_mm))) : "",
                        q.compressed_sections.inflections_after, q.tension_sections.inflections_after);
 }
 

@@ -11,9 +11,6 @@ namespace tapeline::page {
 /// The first entry that has a result, or null.
 const PageEntry* leading(const Page& page);
 
-/// A number with three digits, or two behind zeros; very small ones with an exponent.
-std::string number(double x);
-
 /// The table of measures, one row an entry and one for the state before; the best of each column is marked.
 std::string measures_table(const Page& page);
 

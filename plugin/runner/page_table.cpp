@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/html.h"
+#include "plugin/runner/numbers.h"
 #include "plugin/runner/page_parts.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ std::string cell_text(const Column& column, const Value& value)
     if (!value || !std::isfinite(*value)) {
         return "–";
     }
-    return column.decimals < 0 ? number(*value) : fmt::format("{:.{}f}", *value, column.decimals);
+    return column.decimals < 0 ? short_number(*value) : fmt::format("{:.{}f}", *value, column.decimals);
 }
 
 /// The text of the best cells of a column; nothing where all are alike.
@@ -207,23 +208,6 @@ const PageEntry* leading(const Page& page)
 {
     const auto found = std::ranges::find_if(page.entries, [](const PageEntry& e) { return e.move != nullptr; });
     return found == page.entries.end() ? nullptr : &*found;
-}
-
-std::string number(double x)
-{
-    if (x == 0) {
-        return "0";
-    }
-    const double size = std::abs(x);
-    if (size >= 1e-3 && size < 1e6) {
-        const int magnitude = static_cast<int>(std::floor(std::log10(size)));
-        return fmt::format("{:.{}f}", x, std::max(0, magnitude < 0 ? 1 - magnitude : 2 - magnitude));
-    }
-    std::string text = fmt::format("{:.1e}", x);
-    if (const std::size_t at = text.find("e-0"); at != std::string::npos) {
-        text.erase(at + 2, 1);
-    }
-    return text;
 }
 
 std::string measures_table(const Page& page)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/comparison.h"
+#include "plugin/runner/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ double least_bulge(const std::vector<MethodRun>& runs)
     return least;
 }
 
-std::string size_text(double mm) { return fmt::format("{:.2g} mm", mm); }
+std::string size_text(double mm) { return short_number(mm) + " mm"; }
 
 std::string count_text(int count, const char* what)
 {
@@ -51,7 +52,12 @@ std::string blemishes(const MethodRun& run, const MethodRun* other)
     if (other == nullptr || q.flipped != other->measures.quality.flipped) {
         parts.push_back(count_text(q.flipped, "flipped triangle"));
     }
-    return fmt::format("{}", fmt::join(parts, ", "));
+    return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+std::string sign_text(const MethodRun& run)
+{
+    return short_number(100 * run.measures.quality.gauss_sign_change) + " %";
 }
 
 std::string bulge_text(const MethodRun& run) { return size_text(std::abs(run.measures.quality.bulge_max_mm)); }
@@ -89,20 +95,23 @@ std::string comparison_headline(const std::vector<MethodRun>& runs, const std::v
     const bool bulge = best.measures.has_compressed;
     std::string text = fmt::format("{} comes first", best.method);
     if (bulge) {
-        text += fmt::format(": its bulge is {}, {:.1g} % of the {:.3g} mm slide", bulge_text(best),
-                            100 * best.measures.quality.bulge_fraction, best.measures.quality.slide_max_mm);
+        text += fmt::format(": its bulge is {}, {} % of the {} slide", bulge_text(best),
+                            short_number(100 * best.measures.quality.bulge_fraction),
+                            size_text(best.measures.quality.slide_max_mm));
     }
-    text += fmt::format(", with {}.", blemishes(best, nullptr));
+    text += fmt::format(", with {}", blemishes(best, nullptr));
+    if (!bulge) {
+        text += fmt::format("; the curvature's sign changes on {} of the region", sign_text(best));
+    }
+    text += ".";
     if (ranking.size() == 1) {
         return text;
     }
     const MethodRun& next = runs[ranking[1]];
-    const std::string worse = blemishes(next, &best);
-    text += fmt::format(" {} follows", next.method);
-    if (bulge || !worse.empty()) {
-        text +=
-            fmt::format(" with {}{}{}", bulge ? bulge_text(next) : "", bulge && !worse.empty() ? " and " : "", worse);
-    }
+    const std::string first = bulge ? bulge_text(next) : sign_text(next), worse = blemishes(next, &best);
+    const bool equal = worse.empty() && first == (bulge ? bulge_text(best) : sign_text(best));
+    text += equal ? fmt::format(" {} does as well", next.method)
+                  : fmt::format(" {} follows with {}{}{}", next.method, first, worse.empty() ? "" : " and ", worse);
     const auto worst =
         std::ranges::max_element(ranking, {}, [&](int k) { return std::abs(runs[k].measures.quality.bulge_max_mm); });
     if (bulge && *worst != ranking.front() && *worst != ranking[1]) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small parts of the runner, each on its own.
+#include "kernel/spelling.h"
 #include "plugin/runner/html.h"
 #include "plugin/runner/measures.h"
+#include "plugin/runner/numbers.h"
 #include "plugin/runner/output_set.h"
 #include "plugin/runner/region_choice.h"
 #include "plugin/runner/sha256.h"
-#include "kernel/spelling.h"
 #include "plugin/runner/vertex_list.h"
 #include "tests/plugin/run_command.h"
 #include "tests/support/shapes.h"
@@ -43,6 +44,17 @@ TEST(Base64, AgreesWithTheStandard)
     EXPECT_EQ(base64("fo"), "Zm8=");
     EXPECT_EQ(base64("foo"), "Zm9v");
     EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(ShortNumber, KeepsTheDigitsThatMatter)
+{
+    EXPECT_EQ(short_number(0), "0");
+    EXPECT_EQ(short_number(69.2345), "69.2");
+    EXPECT_EQ(short_number(-1234.4), "-1234");
+    EXPECT_EQ(short_number(0.7784), "0.78");
+    EXPECT_EQ(short_number(0.003681), "0.0037");
+    EXPECT_EQ(short_number(0.000375), "3.8e-4");
+    EXPECT_EQ(short_number(1.5e-12), "1.5e-12");
 }
 
 TEST(HtmlTemplate, FillsNamesOnceAndLeavesValuesAsTheyStand)
