@@ -42,6 +42,8 @@ public:
     const std::vector<int>& free_vertices() const { return elimination_.free_rows(); }
     const std::vector<int>& constrained_vertices() const { return elimination_.given_rows(); }
     const Mesh& rest() const { return rest_; }
+    /// Of the last local step, one per vertex.
+    const std::vector<Eigen::Matrix3d>& rotations() const { return rotations_; }
 
     /// Sets where the constrained vertices are (rows in the order given at creation).
     void constrain(const Positions& targets) { elimination_.set(targets); }

@@ -21,9 +21,21 @@ constexpr std::array methods = {
                .extension_target = ExtensionTarget::free},
     MethodInfo{.method = Method::asan, .name = "asan",
                .title = "as-stiff-as-needed on the uncut region, stiff across the move"},
+    MethodInfo{.method = Method::arap, .name = "arap",
+               .title = "as-rigid-as-possible, spokes only (Sorkine and Alexa 2007)",
+               .deformer = Deformer::spokes},
     MethodInfo{.method = Method::arap_sr, .name = "arap-sr",
                .title = "as-rigid-as-possible, spokes and rims (Chao et al. 2010)",
                .deformer = Deformer::spokes_and_rims},
+    MethodInfo{.method = Method::arap_n, .name = "arap-n",
+               .title = "as-rigid-as-possible, one rotation for each n-ring (Chen et al. 2017)",
+               .deformer = Deformer::rings},
+    MethodInfo{.method = Method::sr_arap, .name = "sr-arap",
+               .title = "as-rigid-as-possible with smooth rotations (Levi and Gotsman 2015)",
+               .deformer = Deformer::smooth_rotations},
+    MethodInfo{.method = Method::lri, .name = "lri",
+               .title = "linear rotation-invariant coordinates (Lipman et al. 2005)",
+               .deformer = Deformer::linear_frames, .direct = true},
 };
 // clang-format on
 

@@ -9,7 +9,28 @@ namespace tapeline {
 
 bool MoveResult::converged() const
 {
-    return std::ranges::all_of(solves, [](const SolveReport& solve) { return solve.converged; });
+    return uniqueness.converged &&
+           std::ranges::all_of(solves, [](const SolveReport& solve) { return solve.converged; });
+}
+
+bool MoveResult::ambiguous() const { return uniqueness.checked && uniqueness.distance_mm > uniqueness.limit_mm; }
+
+int MoveResult::iterations() const
+{
+    int sum = 0;
+    for (const SolveReport& solve : solves) {
+        sum += solve.iterations;
+    }
+    return sum;
+}
+
+double MoveResult::error_estimate_mm() const
+{
+    double largest = 0;
+    for (const SolveReport& solve : solves) {
+        largest = std::max(largest, solve.error_estimate_mm);
+    }
+    return largest;
 }
 
 namespace {

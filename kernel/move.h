@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/baselines/rings.h"
 #include "kernel/correspondence.h"
 #include "kernel/crease.h"
 #include "kernel/curve.h"
@@ -35,6 +36,10 @@ struct MoveOptions {
     double tolerance_mm = 0;  ///< solver's wanted error; 0 = 1e-5 of the region's size
     int max_iterations = 2000;
     int clamp_rings = 1;
+    int rings = 20;                               ///< `arap-n`: n, 0 = one cell for the whole region
+    RingWeights ring_weights = RingWeights::even; ///< `arap-n`
+    double smoothness = 0.02;                     ///< `sr-arap`: α
+    bool check_unique = false; ///< solve from a second start too and report how far apart the answers are
 };
 
 /// What one solver run did.
@@ -46,6 +51,24 @@ struct SolveReport {
     bool converged = true;
     double energy = 0;
     double seconds = 0;
+};
+
+/// Whether two starts of the solver, the rest shape with only the line moved and the harmonic displacement, end in the
+/// same place. A side that is cut free is judged for itself, after the retraction; the worst side counts. Methods that
+/// solve one linear system have one answer.
+struct UniquenessReport {
+    bool checked = false;
+    double distance_mm = 0; ///< largest distance of a vertex between the two answers
+    double limit_mm = 0.1;  ///< more than this is ambiguous
+    bool converged = true;  ///< whether the second runs reached the tolerance too
+    struct Energies {
+        std::string side;
+        double harmonic = 0; ///< from the harmonic start, the one that is used [mm²]
+        double rest = 0;     ///< from the rest shape
+    };
+    std::vector<Energies> energies; ///< one per solver run
+    int iterations = 0;             ///< of the second runs
+    double seconds = 0;             ///< of the second runs
 };
 
 struct RetractionReport {
@@ -71,11 +94,15 @@ struct MoveResult {
     std::vector<int> right_faces;
     RetractionReport retraction;
     std::vector<SolveReport> solves;
+    UniquenessReport uniqueness;
     CreaseReport crease;
     std::vector<std::pair<std::string, double>> seconds; ///< per stage, in order
     std::vector<std::string> warnings;
 
-    bool converged() const;
+    bool converged() const;           ///< every solver run reached its tolerance
+    bool ambiguous() const;           ///< uniqueness was asked for and is not there
+    int iterations() const;           ///< of all solver runs
+    double error_estimate_mm() const; ///< largest of all solver runs
 };
 
 /// Moves a feature line to its target and lets the region follow: ASAN-FL, the paper's seven steps (Section 3.5), or

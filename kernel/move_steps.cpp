@@ -200,55 +200,6 @@ Material MoveState::material_for(const std::vector<Vec3>& displacements) const
     return material;
 }
 
-DeformationOptions MoveState::solver_options(const Material& material) const
-{
-    DeformationOptions options;
-    options.material = material;
-    options.max_iterations = options_.max_iterations;
-    options.tolerance_mm = options_.tolerance_mm;
-    if (options.tolerance_mm <= 0) {
-        Positions corners(static_cast<Eigen::Index>(extended_.region.vertices.size()), 3);
-        for (size_t i = 0; i < extended_.region.vertices.size(); ++i) {
-            corners.row(static_cast<Eigen::Index>(i)) = extended_.model.mesh.V.row(extended_.region.vertices[i]);
-        }
-        options.tolerance_mm = 1e-5 * rotation_free_size(corners);
-    }
-    return options;
-}
-
-Result<void> MoveState::solve(SideState& side, const std::vector<Vec3>& targets, const Material& material,
-                              const std::string& name, const Progress& progress)
-{
-    std::vector<int> constrained = side.side.fixed;
-    std::vector<Vec3> goals;
-    for (const int v : constrained) {
-        goals.push_back(side.side.mesh.V.row(v));
-    }
-    for (size_t i = 0; i < side.side.guided.size(); ++i) {
-        constrained.push_back(side.side.guided[i]);
-        goals.push_back(side.side.guided_targets[i]);
-    }
-    for (size_t i = 0; i < side.side.line.size(); ++i) {
-        if (!is_free(targets[i])) {
-            constrained.push_back(side.side.line[i]);
-            goals.push_back(targets[i]);
-        }
-    }
-    Positions rows(static_cast<Eigen::Index>(goals.size()), 3);
-    for (size_t i = 0; i < goals.size(); ++i) {
-        rows.row(static_cast<Eigen::Index>(i)) = goals[i];
-    }
-    const DeformationOptions options = solver_options(material);
-    auto solved = deform(Mesh{side.rest, side.side.mesh.F}, constrained, rows, options, {}, progress);
-    if (!solved) {
-        return tl::unexpected(solved.error());
-    }
-    side.V = std::move(solved->V);
-    result_.solves.push_back({name, solved->iterations, solved->error_estimate_mm, options.tolerance_mm,
-                              solved->converged, solved->energy, solved->seconds});
-    return {};
-}
-
 Result<void> MoveState::solve_whole(const Progress& progress)
 {
     return timed("solve", [&] {

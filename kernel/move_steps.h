@@ -41,8 +41,20 @@ private:
         Positions V;    ///< current positions
     };
 
+    struct Constraints {
+        std::vector<int> vertices; ///< local
+        Positions targets;
+    };
+
     Material material_for(const std::vector<Vec3>& displacements) const;
+    double region_size() const;
     DeformationOptions solver_options(const Material& material) const;
+    Constraints constraints(const SideState& side, const std::vector<Vec3>& line_targets) const;
+    std::vector<Eigen::Matrix3d> frame_turns(const Mesh& rest, const SideState& side,
+                                             const std::vector<Vec3>& line_targets) const;
+    Result<DeformationResult> deform_by_method(const SideState& side, const std::vector<Vec3>& line_targets,
+                                               const DeformationOptions& options, const std::optional<Positions>& start,
+                                               const Progress& progress) const;
     Result<void> solve(SideState& side, const std::vector<Vec3>& targets, const Material& material,
                        const std::string& name, const Progress& progress);
     void take_free_extension(const SideState& side);

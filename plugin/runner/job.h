@@ -72,6 +72,11 @@ struct MoveSettings {
     double solver_tolerance = 0;
     int max_iterations = 2000;
     int clamp_rings = 1;
+    int rings = 20;
+    std::string ring_weights = "even";
+    double smoothness = 0.02;
+    bool check_unique = false;
+    bool allow_ambiguous = false;
     bool allow_unconverged = false;
 };
 

@@ -65,7 +65,27 @@ void triangle_rows(Rows& rows, const QualityReport& q)
     }
 }
 
+void solver_rows(Rows& rows, const SolverMeasures& s)
+{
+    rows.push_back({"method", "", s.method});
+    rows.push_back({"solver iterations", "", std::to_string(s.iterations)});
+    rows.push_back({"solver error estimate [mm]", "", number(s.error_estimate_mm)});
+    if (s.uniqueness_mm) {
+        rows.push_back({"uniqueness: distance from a second start [mm]", "", number(*s.uniqueness_mm)});
+    }
+}
+
 } // namespace
+
+SolverMeasures solver_measures(const MoveResult& move)
+{
+    SolverMeasures measures{
+        std::string(method_info(move.method).name), move.iterations(), move.error_estimate_mm(), {}};
+    if (move.uniqueness.checked) {
+        measures.uniqueness_mm = move.uniqueness.distance_mm;
+    }
+    return measures;
+}
 
 std::string text_table(const Rows& rows)
 {
@@ -128,6 +148,13 @@ ordered_json measures_json(const Measures& m)
                                                           {"max_change", q.extension_crease_max_change.value_or(0)}});
     json["symmetry_residual_mm"] =
         q.symmetry_residual_mm ? ordered_json(*q.symmetry_residual_mm) : ordered_json(nullptr);
+    if (m.solver) {
+        json["solver"] = {{"method", m.solver->method},
+                          {"iterations", m.solver->iterations},
+                          {"error_estimate_mm", m.solver->error_estimate_mm},
+                          {"uniqueness_mm",
+                           m.solver->uniqueness_mm ? ordered_json(*m.solver->uniqueness_mm) : ordered_json(nullptr)}};
+    }
     if (m.surface_distance_max_mm) {
         json["surface_distance"] = {{"max_mm", *m.surface_distance_max_mm}, {"rms_mm", *m.surface_distance_rms_mm}};
     }
@@ -138,6 +165,9 @@ Rows measure_rows(const Measures& m)
 {
     const QualityReport& q = m.quality;
     Rows rows = {{"measure", "before", "after"}};
+    if (m.solver) {
+        solver_rows(rows, *m.solver);
+    }
     if (m.has_target) {
         rows.push_back({"line error [mm]", "", number(q.line_error_max_mm)});
         rows.push_back({"chord error [mm]", "", number(q.chord_error_max_mm)});
@@ -250,6 +280,7 @@ Result<Measures> measure_move(const MoveResult& move, const TargetCurve& target)
     return measure_quality(input).map([&](QualityReport report) {
         Measures measures;
         measures.quality = std::move(report);
+        measures.solver = solver_measures(move);
         measures.has_line = measures.has_target = measures.has_rest = true;
         measures.has_compressed = !input.compressed_faces.empty();
         return measures;

@@ -13,6 +13,14 @@
 
 namespace tapeline {
 
+/// How a move was solved.
+struct SolverMeasures {
+    std::string method;
+    int iterations = 0;                  ///< of all solver runs
+    double error_estimate_mm = 0;        ///< largest of all solver runs
+    std::optional<double> uniqueness_mm; ///< distance between the answers from two starts, when asked for
+};
+
 /// What `tapeline move` and `tapeline check` know about a result. Measures that need something that is not there (the
 /// target, the same triangles before and after) are missing, and `omitted` says why.
 struct Measures {
@@ -23,6 +31,7 @@ struct Measures {
     bool has_compressed = false;                   ///< a compressed side is known: bulge
     std::optional<double> surface_distance_max_mm; ///< of moved vertices to the surface before, without the others
     std::optional<double> surface_distance_rms_mm;
+    std::optional<SolverMeasures> solver; ///< of a move, not of a check
     std::vector<std::string> omitted;
 };
 
@@ -47,6 +56,8 @@ std::vector<GateResult> evaluate_gates(const GateSettings& settings, const Measu
 std::optional<Error> gate_failure(const std::vector<GateResult>& gates);
 
 nlohmann::ordered_json gates_json(const std::vector<GateResult>& gates);
+
+SolverMeasures solver_measures(const MoveResult& move);
 
 /// What to measure for a finished move: the sides as the move cut them, or grown from the line when it did not.
 QualityInput quality_input(const MoveResult& move, const TargetCurve& target);

@@ -23,6 +23,14 @@ std::optional<T> named(const std::string& text, std::initializer_list<std::pair<
     return std::nullopt;
 }
 
+Error ambiguity(const MoveResult& move)
+{
+    return {ErrorKind::not_converged,
+            fmt::format("the result is ambiguous: from another start the method ends {:.3g} mm away, more than the "
+                        "{:.3g} mm that count as the same; choose another --method, or give --allow-ambiguous",
+                        move.uniqueness.distance_mm, move.uniqueness.limit_mm)};
+}
+
 void collect_warnings(JobOutcome& outcome)
 {
     const Preparation& p = outcome.preparation;
@@ -54,7 +62,9 @@ Error not_converged(const MoveResult& move)
                                 solve.side, solve.error_estimate_mm, solve.iterations, solve.tolerance_mm)};
         }
     }
-    return {ErrorKind::not_converged, "the solver did not converge"};
+    return {ErrorKind::not_converged, "the solver did not converge from its second start, so that uniqueness cannot be "
+                                      "judged; raise --max-iterations or --solver-tolerance, or give "
+                                      "--allow-unconverged"};
 }
 
 MoveOptions move_options(const Job& job)
@@ -82,6 +92,10 @@ MoveOptions move_options(const Job& job)
     options.tolerance_mm = s.solver_tolerance;
     options.max_iterations = s.max_iterations;
     options.clamp_rings = s.clamp_rings;
+    options.rings = s.rings;
+    options.ring_weights = s.ring_weights == "by-cell" ? RingWeights::by_cell : RingWeights::even;
+    options.smoothness = s.smoothness;
+    options.check_unique = s.check_unique;
     return options;
 }
 
@@ -110,6 +124,9 @@ Result<JobOutcome> run_steps(const Job& job, const Progress& progress)
             watch.restart();
             if (!outcome.move.converged() && !job.move.allow_unconverged) {
                 return tl::unexpected(not_converged(outcome.move));
+            }
+            if (outcome.move.ambiguous() && !job.move.allow_ambiguous) {
+                return tl::unexpected(ambiguity(outcome.move));
             }
             return progress.report(0.9, "quality") ? Result<void>() : fail(ErrorKind::cancelled, "cancelled");
         })
@@ -147,7 +164,9 @@ std::string outcome_table(const JobOutcome& o)
     const auto change = [](const SectionMeasure& m) {
         return fmt::format("{}, {}", m.inflections_before, m.inflections_after);
     };
+    const UniquenessReport& u = o.move.uniqueness;
     std::vector<std::vector<std::string>> rows = {
+        {"method", std::string(method_info(o.move.method).name)},
         {"verdict", fmt::format("{} (off fraction {:.3f})", on ? "on surface" : "off surface", p.off_fraction)},
         {"compressed side", !compressed                      ? "none"
                             : p.compressed == LineSide::left ? "left"
@@ -162,6 +181,12 @@ std::string outcome_table(const JobOutcome& o)
         {"flipped triangles", std::to_string(q.flipped)},
         {"region",
          fmt::format("{} vertices, {} triangles", o.move.region.vertices.size(), o.move.region.faces.size())}};
+    rows.push_back({"solver iterations, error estimate",
+                    fmt::format("{}, {:.2g} mm", o.move.iterations(), o.move.error_estimate_mm())});
+    if (u.checked) {
+        rows.push_back({"uniqueness: distance from a second start",
+                        mm(u.distance_mm) + (o.move.ambiguous() ? ", ambiguous" : "")});
+    }
     double total = 0;
     for (const auto& [stage, seconds] : o.seconds) {
         rows.push_back({fmt::format("seconds, {}", stage), fmt::format("{:.2f}", seconds)});

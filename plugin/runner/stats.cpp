@@ -118,6 +118,21 @@ ordered_json solve_json(const std::vector<SolveReport>& solves)
     return list;
 }
 
+ordered_json uniqueness_json(const MoveResult& move)
+{
+    const UniquenessReport& u = move.uniqueness;
+    if (!u.checked) {
+        return nullptr;
+    }
+    ordered_json energies = ordered_json::array();
+    for (const UniquenessReport::Energies& e : u.energies) {
+        energies.push_back({{"side", e.side}, {"from_harmonic", e.harmonic}, {"from_rest", e.rest}});
+    }
+    return {{"distance_mm", u.distance_mm}, {"limit_mm", u.limit_mm}, {"ambiguous", move.ambiguous()},
+            {"converged", u.converged},     {"energies", energies},   {"iterations", u.iterations},
+            {"seconds", u.seconds}};
+}
+
 ordered_json retraction_json(const RetractionReport& r)
 {
     return {{"applied", r.applied},
@@ -146,6 +161,7 @@ std::string stats_text(const Job& job, const JobOutcome& o)
     stats["extension"] = extension_json(o.move);
     stats["retraction"] = retraction_json(o.move.retraction);
     stats["solve"] = solve_json(o.move.solves);
+    stats["uniqueness"] = uniqueness_json(o.move);
     const CreaseReport& c = o.move.crease;
     stats["crease"] = {{"applied", c.applied},
                        {"before", c.before},

@@ -14,6 +14,7 @@ std::string stats_text(const Job& job, const JobOutcome& outcome);
 /// The parts of the statistics that describe a move.
 nlohmann::ordered_json placement_json(const PlacementResult& placement);
 nlohmann::ordered_json solve_json(const std::vector<SolveReport>& solves);
+nlohmann::ordered_json uniqueness_json(const MoveResult& move); ///< null when it was not asked for
 nlohmann::ordered_json retraction_json(const RetractionReport& retraction);
 
 /// What was found while reading a model.

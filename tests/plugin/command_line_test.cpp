@@ -77,7 +77,7 @@ TEST(CommandLine, RefusesValuesThatAreMissingIllTypedOrOutOfRange)
     expect_one_sentence(run_tapeline({"lines", "x.obj", "--crease-angle", "ten"}), 1,
                         "--crease-angle must be a number in deg, not string \"ten\"");
     expect_one_sentence(run_tapeline({"lines", "x.obj", "--crease-angle", "181"}), 1, "0.1 to 180");
-    expect_one_sentence(run_tapeline({"move", "x.obj", "--line", "0", "-o", "y.obj", "--method", "arap-sx"}), 1,
+    expect_one_sentence(run_tapeline({"move", "x.obj", "--line", "0", "-o", "y.obj", "--method", "arap-srx"}), 1,
                         "did you mean 'arap-sr'?");
     expect_one_sentence(run_tapeline({"move", "x.obj", "--line", "0", "--slide", "3"}), 1, "--out");
     expect_one_sentence(run_tapeline({"mesh", "x.obj", "--progress", "loud"}), 1, "--progress");

@@ -116,10 +116,9 @@ TEST(JobFile, SaysWhichRangeAndChoicesAKeyHas)
               "job.json: key 'move.clamp_rings' is 3 but must lie in 0 to 2");
     EXPECT_EQ(failure(R"({"remesh": {"max_edge": -1}})"),
               "job.json: key 'remesh.max_edge' is -1 but must be at least 0");
-    EXPECT_EQ(
-        failure(R"({"move": {"method": "asan-f"}})"),
-        "job.json: key 'move.method' is 'asan-f' but must be one of asan-fl, asan-fl-paper, asan, arap-sr; did you "
-        "mean 'asan-fl'?");
+    EXPECT_EQ(failure(R"({"move": {"method": "asan-f"}})"),
+              "job.json: key 'move.method' is 'asan-f' but must be one of asan-fl, asan-fl-paper, asan, arap, arap-sr, "
+              "arap-n, sr-arap, lri; did you mean 'asan-fl'?");
     EXPECT_EQ(failure(R"({"region": {"roi_box": [1, 2]}})"),
               "job.json: key 'region.roi_box' must be a list of 6 numbers in mm, but 2 are given");
     EXPECT_NE(failure(R"({"move": {"max_iterations": 1e300}})"), "read");

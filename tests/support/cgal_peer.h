@@ -13,4 +13,8 @@ namespace tapeline::testing {
 Positions cgal_spokes_and_rims(const Mesh& rest, const std::vector<int>& constrained, const Positions& targets,
                                int iterations);
 
+/// The same with CGAL's smooth rotations (SRE_ARAP); with smoothness 0 its spokes only (ORIGINAL_ARAP).
+Positions cgal_smooth_rotations(const Mesh& rest, const std::vector<int>& constrained, const Positions& targets,
+                                int iterations, double smoothness);
+
 } // namespace tapeline::testing
