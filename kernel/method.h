@@ -11,14 +11,15 @@
 namespace tapeline {
 
 enum class Method {
-    asan_fl,       ///< Tapeline's defaults: harmonic retraction, tapered extension, stiff along d_o
-    asan_fl_paper, ///< as published: planes retraction, free extension, the compressed side restores the crease
-    asan,          ///< orthotropic spokes-and-rims on the uncut region, stiff across d_o
-    arap,          ///< ARAP with spokes only (Sorkine and Alexa 2007)
-    arap_sr,       ///< ARAP spokes-and-rims (Chao et al. 2010)
-    arap_n,        ///< ARAP with n-ring rotations (Chen et al. 2017)
-    sr_arap,       ///< ARAP with smooth rotations (Levi and Gotsman 2015)
-    lri            ///< linear rotation-invariant coordinates (Lipman et al. 2005)
+    asan_fl,            ///< Tapeline's defaults: harmonic retraction, tapered extension, stiff along d_o
+    asan_fl_paper,      ///< as published: planes retraction, free extension, the compressed side restores the crease
+    asan_fl_sequential, ///< asan_fl with Pinskiy's retraction, one vertex of the line after the other
+    asan,               ///< orthotropic spokes-and-rims on the uncut region, stiff across d_o
+    arap,               ///< ARAP with spokes only (Sorkine and Alexa 2007)
+    arap_sr,            ///< ARAP spokes-and-rims (Chao et al. 2010)
+    arap_n,             ///< ARAP with n-ring rotations (Chen et al. 2017)
+    sr_arap,            ///< ARAP with smooth rotations (Levi and Gotsman 2015)
+    lri                 ///< linear rotation-invariant coordinates (Lipman et al. 2005)
 };
 
 /// What a solver run minimises, or solves, for given positions of the line and the rim.

@@ -25,6 +25,7 @@ struct MoveOptions {
     Method method = Method::asan_fl;
     CorrespondenceOptions correspondence;
     std::optional<RetractionMode> retraction; ///< default by method
+    double active_radius_mm = 0;              ///< of the `sequential` retraction; 0 = up to the nearest fixed vertex
     ExtensionPath extension_path = ExtensionPath::geodesic;
     std::optional<ExtensionTarget> extension_target; ///< default by method
     double stiffness_ratio = 100;                    ///< μ

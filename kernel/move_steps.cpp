@@ -273,6 +273,7 @@ Result<void> MoveState::retract_side(int side)
         }
         RetractionOptions options;
         options.mode = result_.retraction.mode;
+        options.active_radius_mm = options_.active_radius_mm;
         options.material = material_for(result_.correspondence.displacements);
         auto slid = retract(state.side, displacements, options);
         if (!slid) {

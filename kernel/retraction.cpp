@@ -48,8 +48,17 @@ Result<RetractionResult> retract(const SideMesh& side, const std::vector<Vec3>& 
         }
         const RetractionTask task(side, displacements);
         RetractionResult result;
-        result.V = options.mode == RetractionMode::harmonic ? retract_harmonic(task, options.material)
-                                                            : retract_planes(task, result.crossings);
+        switch (options.mode) {
+        case RetractionMode::harmonic:
+            result.V = retract_harmonic(task, options.material);
+            break;
+        case RetractionMode::planes:
+            result.V = retract_planes(task, result.crossings);
+            break;
+        case RetractionMode::sequential:
+            result.V = retract_sequentially(task, options.active_radius_mm);
+            break;
+        }
         if (!result.V.allFinite()) {
             return fail(ErrorKind::rejected, "the retraction gave positions that are not numbers: the side's triangles "
                                              "are too thin, remesh the region (--max-edge)");

@@ -10,13 +10,16 @@
 namespace tapeline {
 
 enum class RetractionMode {
-    harmonic, ///< orthotropic harmonic displacement, slid along the surface (method.md A2; default)
-    planes    ///< linear fall-off along plane sections between L0 and the rim (the paper's Section 4.3)
+    harmonic,  ///< orthotropic harmonic displacement, slid along the surface (method.md A2; default)
+    planes,    ///< linear fall-off along plane sections between L0 and the rim (the paper's Section 4.3)
+    sequential ///< one line vertex after the other drags its surroundings along (Pinskiy 2010; the paper's Section 4.1)
 };
 
 struct RetractionOptions {
     RetractionMode mode = RetractionMode::harmonic;
     Material material; ///< the same material as the solver's, for `harmonic`
+    /// `sequential`: radius R of the area that a sliding vertex drags along [mm]; 0 = up to the nearest fixed vertex
+    double active_radius_mm = 0;
 };
 
 struct RetractionResult {
@@ -30,7 +33,7 @@ struct RetractionResult {
 /// (Sections 4.2, 4.3). `displacements` has one entry per entry of side.line: where that vertex should go, relative to
 /// its rest position [mm].
 ///
-/// Both modes. Fixed vertices do not move, nor does any vertex whose displacement comes out as zero, to the bit. Line
+/// All modes. Fixed vertices do not move, nor does any vertex whose displacement comes out as zero, to the bit. Line
 /// vertices end on the side's surface point closest to rest + displacement (method.md A3), so L'0 = Lt where Lt lies
 /// on the surface. Entries that point out of the side slide nothing (method.md A5): where u·m < 0, m the mean unit
 /// conormal into the side, only u's part across m is kept, faded to zero over a tenth of the largest |u|. Guided
@@ -53,6 +56,12 @@ struct RetractionResult {
 /// displacements, which is the paper's lambda u_0 when they are L0 and the rim, zero between rim and rim, and defined
 /// between L0 and L0. Where C_P closes or does not exist, edge-graph distances to the line and to the rim stand in.
 /// Vertices then `slide`. No repair of flips: as published.
+///
+/// `sequential`: line vertices slide one after the other in the line's order, each to its final place, where it then
+/// stays. Vertices within the active radius R of it (in space, on the already slid mesh), line vertices that have not
+/// had their turn included, go with it by the damping (1 - (r/R)²)² times its way, along the straightest path in the
+/// direction re-projected on their own tangent plane. The published damping and unfolding are not public; these are
+/// method.md F's. Places depend on the order, so a symmetric side comes out skew. No repair of flips: as published.
 ///
 /// Usage error: counts differ. Rejected: displacements that are not finite, triangles without area (place named).
 Result<RetractionResult> retract(const SideMesh& side, const std::vector<Vec3>& displacements,

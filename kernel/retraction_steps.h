@@ -11,7 +11,7 @@
 
 namespace tapeline {
 
-/// The parts that both ways of retracting share; not for use outside retraction*.cpp.
+/// The parts that all ways of retracting share; not for use outside retraction*.cpp.
 class RetractionTask {
 public:
     /// `displacements` has one entry per entry of side.line.
@@ -95,5 +95,8 @@ Positions retract_harmonic(const RetractionTask& task, const Material& material)
 
 /// Slid positions by plane sections; `crossings` counts neighbouring section curves that cross.
 Positions retract_planes(const RetractionTask& task, int& crossings);
+
+/// Slid positions by one vertex of the line after the other; `radius` 0 reaches up to the nearest fixed vertex.
+Positions retract_sequentially(const RetractionTask& task, double radius);
 
 } // namespace tapeline

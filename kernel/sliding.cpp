@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -46,6 +47,7 @@ public:
     std::vector<Fan> fans(int v) const;
     std::optional<Departure> depart(int v, const Vec3& u) const;
     MeshPoint run(Departure departure, double length);
+    MeshPoint run(const MeshPoint& from, const Vec3& direction, double length);
     MeshPoint at_vertex(int face, int v) const;
 
 private:
@@ -55,6 +57,7 @@ private:
     Fan fan_of(int v, int face) const;
     double corner_angle(int face, int v) const;
     void enter(const Departure& departure);
+    MeshPoint go(double length);
     void cross_edge(int face, int first);
     std::optional<Departure> pass_vertex(int exit_corner) const;
     MeshPoint in_face(const Vec2& q) const;
@@ -282,6 +285,37 @@ MeshPoint Walk::in_face(const Vec2& q) const
 MeshPoint Walk::run(Departure departure, double length)
 {
     enter(departure);
+    return go(length);
+}
+
+/// From inside a triangle; `direction` is a unit vector in its plane.
+MeshPoint Walk::run(const MeshPoint& from, const Vec3& direction, double length)
+{
+    face_ = from.face;
+    const Vec3 across = triangle_normal(mesh_, face_).cross(direction);
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 arm = position(mesh_.F(face_, k)) - position_of(mesh_, from);
+        q_[k] = Vec2(arm.dot(direction), arm.dot(across));
+    }
+    ray_ = Vec2(1, 0);
+    // The edge ahead: where the corners change from the right of the ray to its left, farthest along it.
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+        const Vec2 &right = q_[k], &left = q_[(k + 1) % 3];
+        const double rise = left.y() - right.y();
+        if (right.y() <= 0 && left.y() >= 0 && rise > 0) {
+            const double exit = right.x() - right.y() / rise * (left.x() - right.x());
+            if (exit > farthest) {
+                farthest = exit;
+                first_ = k;
+            }
+        }
+    }
+    return std::isfinite(farthest) ? go(length) : from;
+}
+
+MeshPoint Walk::go(double length)
+{
     const long long most = 100LL * topology_.face_count() + 1000;
     for (long long i = 0; i < most; ++i) {
         const int second = (first_ + 1) % 3;
@@ -345,6 +379,23 @@ MeshPoint slide(const Mesh& mesh, const Topology& topology, int v, const Vec3& u
     }
     auto departure = walk.depart(v, tangential);
     return departure ? walk.run(std::move(*departure), length) : stay;
+}
+
+MeshPoint slide(const Mesh& mesh, const Topology& topology, const MeshPoint& from, const Vec3& normal, const Vec3& u)
+{
+    int k = 0;
+    if (from.barycentric.maxCoeff(&k) >= 1 - vertex_hit) {
+        return slide(mesh, topology, mesh.F(from.face, k), u);
+    }
+    const Vec3 plane = triangle_normal(mesh, from.face);
+    const Vec3 tangential = u - normal.dot(u) * normal;
+    const double length = tangential.norm();
+    if (!u.allFinite() || !(length > 0) || plane.isZero(0)) {
+        return from;
+    }
+    Vec3 direction = Eigen::Quaterniond::FromTwoVectors(normal, plane) * tangential;
+    direction -= plane.dot(direction) * plane;
+    return direction.norm() > 0 ? Walk(mesh, topology).run(from, direction.normalized(), length) : from;
 }
 
 } // namespace tapeline

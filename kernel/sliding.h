@@ -26,4 +26,8 @@ Vec3 position_of(const Mesh& mesh, const MeshPoint& point);
 /// normal, not to π as in method.md F: a corner of a flat side must not bend the path.
 MeshPoint slide(const Mesh& mesh, const Topology& topology, int v, const Vec3& u);
 
+/// The same from any point of the surface. `normal` is the surface's there: u's part across it is walked, turned into
+/// the triangle's plane. At a vertex this is the function above.
+MeshPoint slide(const Mesh& mesh, const Topology& topology, const MeshPoint& from, const Vec3& normal, const Vec3& u);
+
 } // namespace tapeline

@@ -72,6 +72,7 @@ struct MoveSettings {
     double solver_tolerance = 0;
     int max_iterations = 2000;
     int clamp_rings = 1;
+    double active_radius = 0;
     int rings = 20;
     std::string ring_weights = "even";
     double smoothness = 0.02;

@@ -74,8 +74,10 @@ MoveOptions move_options(const Job& job)
     options.method = method_named(s.method).value_or(options.method);
     options.correspondence.mode =
         job.target.correspondence == "arc-length" ? CorrespondenceMode::arc_length : CorrespondenceMode::projection;
-    options.retraction = named<RetractionMode>(
-        s.retraction, {{"harmonic", RetractionMode::harmonic}, {"planes", RetractionMode::planes}});
+    options.retraction = named<RetractionMode>(s.retraction, {{"harmonic", RetractionMode::harmonic},
+                                                              {"planes", RetractionMode::planes},
+                                                              {"sequential", RetractionMode::sequential}});
+    options.active_radius_mm = s.active_radius;
     options.extension_path = s.extension_path == "edges" ? ExtensionPath::edges : ExtensionPath::geodesic;
     options.extension_target = named<ExtensionTarget>(
         s.extension_target, {{"tapered", ExtensionTarget::tapered}, {"free", ExtensionTarget::free}});

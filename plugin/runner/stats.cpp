@@ -13,6 +13,19 @@ using nlohmann::ordered_json;
 
 const char* side_name(LineSide side) { return side == LineSide::left ? "left" : "right"; }
 
+const char* retraction_name(RetractionMode mode)
+{
+    switch (mode) {
+    case RetractionMode::planes:
+        return "planes";
+    case RetractionMode::sequential:
+        return "sequential";
+    case RetractionMode::harmonic:
+        break;
+    }
+    return "harmonic";
+}
+
 ordered_json line_json(const FeatureLine& line)
 {
     return {{"id", line.id},
@@ -136,7 +149,7 @@ ordered_json uniqueness_json(const MoveResult& move)
 ordered_json retraction_json(const RetractionReport& r)
 {
     return {{"applied", r.applied},
-            {"mode", r.mode == RetractionMode::harmonic ? "harmonic" : "planes"},
+            {"mode", retraction_name(r.mode)},
             {"min_area_ratio", r.min_area_ratio},
             {"flipped", r.flipped},
             {"crossings", r.crossings}};
