@@ -200,6 +200,7 @@ Result<void> run_compare(const Job& job, Console& console)
 {
     return read_job(job.command.job).and_then([&](Job read) -> Result<void> {
         read.command = job.command;
+        read.move.check_unique = read.move.check_unique || job.move.check_unique;
         if (read.input.empty()) {
             return fail(ErrorKind::usage,
                         fmt::format("{}: key 'input' is missing; name the model file", job.command.job.string()));

@@ -23,13 +23,19 @@ constexpr int comb_stations = 3;
 
 std::string mesh_name(const std::string& method) { return method + ".obj"; }
 
-const char* state_word(const MethodRun& run) { return !run.move ? "failed" : (run.failure ? "not_converged" : "done"); }
+const char* state_word(const MethodRun& run)
+{
+    if (!run.move) {
+        return "failed";
+    }
+    return !run.failure ? "done" : (run.move->converged() ? "ambiguous" : "not_converged");
+}
 
 /// What the page's table says in its second column.
 std::string verdict(const MethodRun& run)
 {
     if (run.failure) {
-        return run.move ? "not converged" : "failed";
+        return !run.move ? "failed" : (run.move->converged() ? "ambiguous" : "not converged");
     }
     const auto missed = std::ranges::count_if(run.gates, [](const GateResult& gate) { return !gate.passed; });
     return run.gates.empty() ? "converged"
@@ -62,11 +68,12 @@ ordered_json run_json(const MethodRun& run, const std::vector<int>& ranking, int
         json["placement"] = placement_json(run.move->placement);
         json["retraction"] = retraction_json(run.move->retraction);
         json["solve"] = solve_json(run.move->solves);
+        json["uniqueness"] = uniqueness_json(*run.move);
         json["quality"] = measures_json(run.measures);
         json["gates"] = gates_json(run.gates);
         json["warnings"] = run.move->warnings;
     } else {
-        for (const char* key : {"placement", "retraction", "solve", "quality", "gates", "warnings"}) {
+        for (const char* key : {"placement", "retraction", "solve", "uniqueness", "quality", "gates", "warnings"}) {
             json[key] = nullptr;
         }
     }
@@ -157,7 +164,8 @@ Page make_page(const Job& job, const Comparison& c, const std::vector<int>& orde
     page.facts = job_facts(job, c.preparation, with_result);
     page.warnings = c.warnings;
     page.notes = reading_notes();
-    page.notes.push_back(fmt::format("Methods are ranked by bulge, where less than 1 % of the slide is no difference, "
+    page.notes.push_back(fmt::format("Methods that keep all limits come first; then they are ranked by bulge, where "
+                                     "less than 1 % of the slide is no difference, "
                                      "then by flips, new inflections and the bulge itself. Time: {} thread{} a method.",
                                      c.threads_per_method, c.threads_per_method == 1 ? "" : "s"));
     page.target = &c.preparation.target->line;

@@ -47,6 +47,8 @@ MethodRun run_method(const Preparation& p, const Job& job, const std::string& me
     run.gates = evaluate_gates(job.gate, run.measures);
     if (!run.move->converged()) {
         run.failure = not_converged(*run.move);
+    } else if (run.move->ambiguous()) {
+        run.failure = ambiguity(*run.move);
     }
     return run;
 }

@@ -39,10 +39,11 @@ PageEntry entry_of(const Job& job, const JobOutcome& outcome)
     entry.title = method_title(entry.name);
     entry.move = &outcome.move;
     entry.measures = &outcome.measures;
-    entry.sound = outcome.move.converged();
-    entry.verdict = entry.sound ? "converged" : "not converged";
+    const bool converged = outcome.move.converged(), ambiguous = outcome.move.ambiguous();
+    entry.sound = converged && !ambiguous;
+    entry.verdict = !converged ? "not converged" : (ambiguous ? "ambiguous" : "converged");
     if (!entry.sound) {
-        entry.reason = not_converged(outcome.move).message;
+        entry.reason = (converged ? ambiguity(outcome.move) : not_converged(outcome.move)).message;
     }
     for (const auto& [stage, seconds] : outcome.move.seconds) {
         entry.seconds += seconds;
@@ -87,7 +88,7 @@ std::vector<std::string> reading_notes()
         "Crease: RMS difference of the angle across the line after and before. Rim crease: change of the angle between "
         "triangles across the region's border.",
         "Squash: smallest remaining width of a triangle, measured across the line, as a share of its width before. "
-        "Flips: triangles turned over."};
+        "Flips: triangles turned over. Unique to: how far apart the method ends from two starts."};
 }
 
 std::string html_report(const Job& job, const JobOutcome& outcome, const std::vector<Picture>& pictures,

@@ -197,7 +197,8 @@ void add_move_options(std::vector<Option>& table)
          .choices = {"even", "by-cell"}},
         {.section = "move", .name = "smoothness", .slot = at<m, &M::smoothness>, .commands = moving,
          .help = "sr-arap: how strongly neighbouring rotations are held together.", .min = 0, .max = 1e6},
-        {.section = "move", .name = "check_unique", .slot = at<m, &M::check_unique>, .commands = moving,
+        {.section = "move", .name = "check_unique", .slot = at<m, &M::check_unique>,
+         .commands = moving | compare_command,
          .help = "Solve from a second start too and report how far apart the answers end; more than 0.1 mm (or a "
                  "ten-thousandth of a small region) is ambiguous."},
         {.section = "move", .name = "allow_ambiguous", .slot = at<m, &M::allow_ambiguous>, .commands = moving,

@@ -89,30 +89,24 @@ void add_triangle_columns(std::vector<Column>& columns)
             {"Triangles", "squash", "", Better::more, 3, quality([](const Q& q) { return q.squash; })},
             {"Triangles", "flips", "", Better::less, 0, quality([](const Q& q) { return q.flipped; })},
             {"Solver", "iterations", "", Better::neither, 0,
-             [](const PageEntry& e) -> Value {
-                 int sum = 0;
-                 for (const SolveReport& solve : e.move->solves) {
-                     sum += solve.iterations;
-                 }
-                 return sum;
-             }},
+             [](const PageEntry& e) -> Value { return e.move->iterations(); }},
             {"Solver", "error", "mm", Better::neither, -1,
-             [](const PageEntry& e) -> Value {
-                 double largest = 0;
-                 for (const SolveReport& solve : e.move->solves) {
-                     largest = std::max(largest, solve.error_estimate_mm);
-                 }
-                 return largest;
-             }},
+             [](const PageEntry& e) -> Value { return e.move->error_estimate_mm(); }},
             {"Solver", "time", "s", Better::less, 2, [](const PageEntry& e) -> Value { return e.seconds; }},
         });
 }
 
-std::vector<Column> all_columns()
+std::vector<Column> all_columns(const Page& page)
 {
     std::vector<Column> columns;
     add_shape_columns(columns);
     add_triangle_columns(columns);
+    if (std::ranges::any_of(page.entries, [](const PageEntry& e) { return e.move && e.move->uniqueness.checked; })) {
+        columns.push_back({"Unique", "to", "mm", Better::less, -1, [](const PageEntry& e) {
+                               const UniquenessReport& u = e.move->uniqueness;
+                               return u.checked ? Value(u.distance_mm) : std::nullopt;
+                           }});
+    }
     return columns;
 }
 
@@ -213,7 +207,7 @@ const PageEntry* leading(const Page& page)
 std::string measures_table(const Page& page)
 {
     const PageEntry* leader = leading(page);
-    std::vector<Column> columns = all_columns();
+    std::vector<Column> columns = all_columns(page);
     std::vector<std::string> best;
     for (const Column& column : columns) {
         best.push_back(best_text(column, page));

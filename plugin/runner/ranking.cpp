@@ -18,6 +18,11 @@ constexpr double equal_bulge = 0.01;
 
 int new_inflections(const SectionMeasure& m) { return std::max(0, m.inflections_after - m.inflections_before); }
 
+bool keeps_limits(const MethodRun& run)
+{
+    return std::ranges::all_of(run.gates, [](const GateResult& gate) { return gate.passed; });
+}
+
 int new_inflections(const QualityReport& q)
 {
     return new_inflections(q.compressed_sections) + new_inflections(q.tension_sections);
@@ -72,8 +77,8 @@ std::vector<int> rank_runs(const std::vector<MethodRun>& runs)
         const QualityReport& q = m.quality;
         const double bulge = m.has_compressed ? std::abs(q.bulge_max_mm) : 0;
         const bool near = !m.has_compressed || bulge <= least + equal_bulge * q.slide_max_mm;
-        return std::tuple(near ? 0 : bulge, q.flipped, new_inflections(q), m.has_compressed ? bulge : 0,
-                          q.gauss_sign_change);
+        return std::tuple(!keeps_limits(runs[k]), near ? 0 : bulge, q.flipped, new_inflections(q),
+                          m.has_compressed ? bulge : 0, q.gauss_sign_change);
     };
     std::vector<int> ranking;
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -103,7 +108,8 @@ std::string comparison_headline(const std::vector<MethodRun>& runs, const std::v
     if (!bulge) {
         text += fmt::format("; the curvature's sign changes on {} of the region", sign_text(best));
     }
-    text += ".";
+    const auto keeping = std::ranges::count_if(ranking, [&](int k) { return keeps_limits(runs[k]); });
+    text += keeping == 1 && !best.gates.empty() && ranking.size() > 1 ? "; it alone keeps all limits." : ".";
     if (ranking.size() == 1) {
         return text;
     }
@@ -130,15 +136,12 @@ std::string comparison_table(const Comparison& c)
             return;
         }
         const QualityReport& q = run.measures.quality;
-        double error = 0;
-        for (const SolveReport& solve : run.move->solves) {
-            error = std::max(error, solve.error_estimate_mm);
-        }
         rows.push_back(
             {run.method, run.measures.has_compressed ? fmt::format("{:.4g}", q.bulge_max_mm) : "-",
              fmt::format("{}, {}", q.compressed_sections.inflections_after, q.tension_sections.inflections_after),
              fmt::format("{:.2f}", 100 * q.gauss_sign_change), fmt::format("{:.3f}", q.squash),
-             std::to_string(q.flipped), fmt::format("{:.2g}", error), fmt::format("{:.2f}", run.seconds), verdict});
+             std::to_string(q.flipped), fmt::format("{:.2g}", run.move->error_estimate_mm()),
+             fmt::format("{:.2f}", run.seconds), verdict});
     };
     for (std::size_t place = 0; place < c.ranking.size(); ++place) {
         row(c.runs[c.ranking[place]], fmt::format("{}", place + 1));
@@ -146,7 +149,7 @@ std::string comparison_table(const Comparison& c)
     std::string reasons;
     for (const MethodRun& run : c.runs) {
         if (!run.sound()) {
-            row(run, run.move ? "not converged" : "failed");
+            row(run, !run.move ? "failed" : (run.move->converged() ? "ambiguous" : "not converged"));
             reasons += fmt::format("{}: {}\n", run.method, run.failure->message);
         }
     }

@@ -23,14 +23,6 @@ std::optional<T> named(const std::string& text, std::initializer_list<std::pair<
     return std::nullopt;
 }
 
-Error ambiguity(const MoveResult& move)
-{
-    return {ErrorKind::not_converged,
-            fmt::format("the result is ambiguous: from another start the method ends {:.3g} mm away, more than the "
-                        "{:.3g} mm that count as the same; choose another --method, or give --allow-ambiguous",
-                        move.uniqueness.distance_mm, move.uniqueness.limit_mm)};
-}
-
 void collect_warnings(JobOutcome& outcome)
 {
     const Preparation& p = outcome.preparation;
@@ -65,6 +57,14 @@ Error not_converged(const MoveResult& move)
     return {ErrorKind::not_converged, "the solver did not converge from its second start, so that uniqueness cannot be "
                                       "judged; raise --max-iterations or --solver-tolerance, or give "
                                       "--allow-unconverged"};
+}
+
+Error ambiguity(const MoveResult& move)
+{
+    return {ErrorKind::not_converged,
+            fmt::format("the result is ambiguous: from another start the method ends {:.3g} mm away, more than the "
+                        "{:.3g} mm that count as the same; choose another --method, or give --allow-ambiguous",
+                        move.uniqueness.distance_mm, move.uniqueness.limit_mm)};
 }
 
 MoveOptions move_options(const Job& job)

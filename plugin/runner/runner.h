@@ -29,6 +29,8 @@ MoveOptions move_options(const Job& job);
 
 /// The failure of a move whose solver did not reach its tolerance: which side, by how much.
 Error not_converged(const MoveResult& move);
+/// The failure of a move that ended elsewhere from another start.
+Error ambiguity(const MoveResult& move);
 
 /// Runs one job from its files to its files: read, find the line, make the target, remesh, choose the region, move,
 /// measure, write. All outputs are written together at the end, so a job that fails has touched none of them. A

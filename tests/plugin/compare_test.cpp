@@ -64,6 +64,7 @@ void expect_stable_keys(const json& result)
                                 "/methods/0/placement/compressed_side",
                                 "/methods/0/retraction/crossings",
                                 "/methods/0/solve/0/iterations",
+                                "/methods/0/uniqueness",
                                 "/methods/0/solve/0/error_estimate_mm",
                                 "/methods/0/quality/bulge/max_mm",
                                 "/methods/0/quality/bulge/rms_mm",
@@ -209,6 +210,24 @@ TEST(CompareFailure, OfAMethodIsARowThatSaysWhy)
     const std::string page = read_text(folder / "out/compare.html");
     EXPECT_NE(page.find("did not converge"), std::string::npos);
     EXPECT_EQ(page.find("best\">"), std::string::npos) << "what is not sound is not the best of anything";
+}
+
+TEST(CompareFailure, OfAnAmbiguousMethodIsARowToo)
+{
+    const TemporaryFolder folder;
+    json job = panel_job();
+    job["input"] = TAPELINE_SOURCE_DIR "/resources/models/panel.step";
+    job["remesh"] = {{"max_edge", 25}};
+    job["target"] = {{"slide", {0, 14.6, 50, 85.4, 100, 85.4, 50, 14.6, 0}}, {"tolerance", 0.01}};
+    ASSERT_EQ(compare(folder, job, {"--methods", "asan-fl,arap-sr", "--check-unique"}).exit_code, 0);
+    const json r = json::parse(read_text(folder / "out/compare.json"));
+    const json &ours = method_of(r, "asan-fl"), &arap = method_of(r, "arap-sr");
+    EXPECT_EQ(ours["state"], "done");
+    EXPECT_LT(ours["uniqueness"]["distance_mm"], 0.1);
+    EXPECT_EQ(arap["state"], "ambiguous");
+    EXPECT_GT(arap["uniqueness"]["distance_mm"], 0.1);
+    EXPECT_TRUE(arap["rank"].is_null());
+    EXPECT_NE(read_text(folder / "out/compare.html").find("is ambiguous: from another start"), std::string::npos);
 }
 
 TEST(CompareFailure, WritesNothingWhenTheJobCannotBePrepared)
