@@ -14,6 +14,7 @@ enum class Method {
     asan_fl,            ///< Tapeline's defaults: harmonic retraction, tapered extension, stiff along d_o
     asan_fl_paper,      ///< as published: planes retraction, free extension, the compressed side restores the crease
     asan_fl_sequential, ///< asan_fl with Pinskiy's retraction, one vertex of the line after the other
+    plate_fl,           ///< as asan_fl, each part a thin plate that keeps its tangent plane at the rim
     asan,               ///< orthotropic spokes-and-rims on the uncut region, stiff across d_o
     arap,               ///< ARAP with spokes only (Sorkine and Alexa 2007)
     arap_sr,            ///< ARAP spokes-and-rims (Chao et al. 2010)
@@ -29,7 +30,8 @@ enum class Deformer {
     spokes,           ///< baselines/spokes.h
     rings,            ///< baselines/rings.h
     smooth_rotations, ///< baselines/smooth_rotations.h
-    linear_frames     ///< baselines/linear_frames.h
+    linear_frames,    ///< baselines/linear_frames.h
+    plate             ///< an orthotropic thin plate (plate.h)
 };
 
 /// What a method is made of. One record a method is all that moves, options, help and comparisons know of it.

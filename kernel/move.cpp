@@ -46,11 +46,19 @@ Result<void> move_uncut(MoveState& state, const Progress& progress)
 /// side under compression, deform it, sew both together, mend the crease.
 Result<void> move_split(MoveState& state, const Progress& progress)
 {
+    const bool compressed_first = state.keeps_crease();
+    const auto tension = [&](const Progress& part) { return state.deform_side(state.tension(), part); };
+    const auto compression = [&](const Progress& part) {
+        return state.retract_side(state.compression()).and_then([&] {
+            return state.deform_side(state.compression(), part);
+        });
+    };
     return state.extend()
         .and_then([&] { return state.split(); })
-        .and_then([&] { return state.deform_side(state.tension(), progress.part(0.1, 0.5)); })
-        .and_then([&] { return state.retract_side(state.compression()); })
-        .and_then([&] { return state.deform_side(state.compression(), progress.part(0.6, 0.9)); })
+        .and_then(
+            [&] { return compressed_first ? compression(progress.part(0.1, 0.4)) : tension(progress.part(0.1, 0.5)); })
+        .and_then(
+            [&] { return compressed_first ? tension(progress.part(0.4, 0.9)) : compression(progress.part(0.5, 0.9)); })
         .and_then([&] { return state.sew_sides(); })
         .and_then([&] { return state.restore_lost_crease(progress.part(0.9, 1.0)); });
 }

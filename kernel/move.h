@@ -11,6 +11,7 @@
 #include "kernel/progress.h"
 #include "kernel/region.h"
 #include "kernel/retraction.h"
+#include "kernel/rim.h"
 
 #include <optional>
 #include <string>
@@ -20,6 +21,12 @@
 namespace tapeline {
 
 enum class CreaseRestoration { automatic, off, on };
+
+/// What a plate does at the line (method.md A9).
+enum class LineCrease {
+    free, ///< each side ends there like a cantilever: curvature of one sign in a section, the crease angle is a result
+    keep  ///< the crease angle stays as it was; sections get an inflection where it takes one
+};
 
 struct MoveOptions {
     Method method = Method::asan_fl;
@@ -41,6 +48,10 @@ struct MoveOptions {
     RingWeights ring_weights = RingWeights::even; ///< `arap-n`
     double smoothness = 0.02;                     ///< `sr-arap`: α
     bool check_unique = false; ///< solve from a second start too and report how far apart the answers are
+    RimControl rim = RimControl::automatic;
+    double rim_crease_angle = 5;               ///< a rim edge this sharp is a crease already [deg]
+    double plate_stiffness_ratio = 1.5;        ///< μ of plate-fl's plates; its retraction has stiffness_ratio
+    LineCrease line_crease = LineCrease::free; ///< plate-fl only
 };
 
 /// What one solver run did.

@@ -101,6 +101,8 @@ Result<DeformationResult> MoveState::deform_by_method(const SideState& side, con
     }
     case Deformer::linear_frames:
         return deform_linear_frames(rest, vertices, targets, frame_turns(rest, side, line_targets), progress);
+    case Deformer::plate:
+        return bend_part(side, {vertices, targets}, options, start, progress);
     case Deformer::orthotropic:
     case Deformer::spokes_and_rims:
         break;

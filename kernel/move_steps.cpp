@@ -82,11 +82,14 @@ Result<void> MoveState::correspond_to(const FeatureLine& line, const TargetCurve
 Result<void> MoveState::place()
 {
     return timed("placement", [&]() -> Result<void> {
+        if (auto fine = check_plate_options(); !fine) {
+            return fine;
+        }
         PlacementResult& placement = result_.placement;
         placement = decide_placement(model_.mesh, result_.region, result_.correspondence);
         placement.verdict = options_.placement.value_or(placement.verdict);
         placement.compressed = options_.compressed_side.value_or(placement.compressed);
-        const bool orthotropic = method_.deformer == Deformer::orthotropic;
+        const bool orthotropic = method_.deformer != Deformer::spokes_and_rims;
         stiffness_ratio_ = orthotropic ? options_.stiffness_ratio : 1;
         stiff_direction_ = stiff_direction(result_.correspondence.displacements, stiffness_ratio_);
         if (stiffness_ratio_ == 1 && orthotropic && options_.stiffness_ratio != 1 && placement.u_max_mm > 0) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/move.h"
+#include "kernel/plate.h"
 #include "kernel/split.h"
 
 #include <array>
@@ -30,6 +31,8 @@ public:
 
     /// Whether the method and the verdict ask for the cut.
     bool splits() const;
+    /// Whether the tension side must end in the old crease, so that the compressed side comes first.
+    bool keeps_crease() const;
     int compression() const { return static_cast<int>(result_.placement.compressed); }
     int tension() const { return 1 - compression(); }
     MoveResult finish();
@@ -57,6 +60,12 @@ private:
                                                const Progress& progress) const;
     Result<void> solve(SideState& side, const std::vector<Vec3>& targets, const Material& material,
                        const std::string& name, const Progress& progress);
+    Result<DeformationResult> bend_part(const SideState& side, const Constraints& constraints,
+                                        const DeformationOptions& options, const std::optional<Positions>& start,
+                                        const Progress& progress) const;
+    void hold_crease(PlateSupport& support) const;
+    Result<void> check_plate_options() const;
+    std::vector<int> tilting_vertices(const SideMesh& side) const;
     void take_free_extension(const SideState& side);
     bool compressed_somewhere(int side) const;
     Result<void> guide_borders();

@@ -62,7 +62,14 @@ struct QualityReport {
     double gauss_sign_change = 0; ///< share of area in [0, 1] whose sign went from + to - or back, both beyond the
                                   ///< dead band (kernel/quality_curvature.cpp; method.md G3); without the line
     double mean_sign_change = 0;
-    double gauss_sign_change_compressed = 0;    ///< the same share within the compressed side alone
+    double gauss_sign_change_compressed = 0; ///< the same share within the compressed side alone
+    /// What became of the tension side's crown, away from line and rim, where that side is curved (relative to Σ A |H|
+    /// at rest, H the mean curvature and A the vertex's area): `change` = (H̄' - H̄) / |H|‾ of the area-weighted means,
+    /// -1 = pulled straight, 0 = kept, 1 = twice as round; `local` = Σ A |H' - H| / Σ A |H|.
+    struct Crown {
+        double change = 0, local = 0;
+    };
+    std::optional<Crown> crown;
     double crease_before = 0, crease_after = 0; ///< length-weighted mean along the line [deg]
     double crease_rms_difference = 0, crease_max_difference = 0;
     double min_angle_before = 0, min_angle_after = 0;

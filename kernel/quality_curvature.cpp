@@ -21,6 +21,8 @@ constexpr double mean_band = 0.05;
 
 /// Vertices on edges at least this sharp [rad] keep their curvature to themselves.
 constexpr double sharp = 20 * std::numbers::pi / 180;
+/// Rings of vertices beside line and rim that do not count for the crown.
+constexpr int crown_rings = 2;
 constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 /// Discrete curvature of one vertex with the dead bands of its values.
@@ -188,9 +190,48 @@ BothCurvatures both(const Context& context)
             curvatures(context, context.moved, context.moved_normals, context.moved_areas, noise)};
 }
 
-} // namespace
+/// Per vertex whether it lies on the tension side, more than `crown_rings` rings from its border (line, prolongation,
+/// rim).
+std::vector<char> inside_tension(const Context& context)
+{
+    std::vector<char> in(context.rest.V.rows(), 0);
+    for (const int v : context.vertices) {
+        const auto faces = context.topology.vertex_faces(v);
+        in[v] = !context.on_line[v] && !context.topology.border_vertex(v) &&
+                std::ranges::all_of(faces, [&](int t) { return context.side[t] == SideOf::tension; });
+    }
+    for (int ring = 0; ring < crown_rings; ++ring) {
+        const std::vector<char> before = in;
+        for (const MeshEdge& edge : context.topology.edges()) {
+            in[edge.a] = in[edge.a] && before[edge.b];
+            in[edge.b] = in[edge.b] && before[edge.a];
+        }
+    }
+    return in;
+}
 
-namespace {
+void measure_crown(const Context& context, const std::vector<Curvature>& before, const std::vector<Curvature>& after,
+                   QualityReport& report)
+{
+    const std::vector<char> inside = inside_tension(context);
+    double area = 0, moved_area = 0, mean = 0, moved_mean = 0, size = 0, noise = 0, difference = 0;
+    for (size_t i = 0; i < before.size(); ++i) {
+        if (!inside[context.vertices[i]] || !before[i].measured() || !after[i].measured()) {
+            continue;
+        }
+        area += before[i].area;
+        moved_area += after[i].area;
+        mean += before[i].area * before[i].mean;
+        moved_mean += after[i].area * after[i].mean;
+        size += before[i].area * std::abs(before[i].mean);
+        noise += before[i].area * before[i].mean_zero;
+        difference += before[i].area * std::abs(after[i].mean - before[i].mean);
+    }
+    // A side that is flat but for its dead band has no crown to lose.
+    if (size > noise && moved_area > 0) {
+        report.crown = {(moved_mean / moved_area - mean / area) / (size / area), difference / size};
+    }
+}
 
 /// Area of vertex cells, and the part of it whose curvature changed sign [mm²].
 struct ChangedArea {
@@ -209,6 +250,7 @@ struct ChangedArea {
 void measure_curvature(const Context& context, QualityReport& report)
 {
     const auto [before, after] = both(context);
+    measure_crown(context, before, after, report);
     ChangedArea all, compressed;
     for (size_t i = 0; i < before.size(); ++i) {
         if (!before[i].measured() || !after[i].measured()) {

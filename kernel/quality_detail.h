@@ -51,6 +51,7 @@ void measure_bulge(const Context& context, QualityReport& report);
 std::vector<Section> cut_sections(const Context& context);
 void measure_sections(const Context& context, QualityReport& report);
 
+/// Curvature signs and the crown.
 void measure_curvature(const Context& context, QualityReport& report);
 /// Fills the curvature maps: NaN outside the region, on the line and where no whole ring of triangles is; 0 within the
 /// dead band.

@@ -78,6 +78,9 @@ struct MoveSettings {
     double smoothness = 0.02;
     bool check_unique = false;
     bool allow_ambiguous = false;
+    std::string rim = "auto";
+    std::string crease = "free";
+    double plate_stiffness_ratio = 1.5;
     bool allow_unconverged = false;
 };
 

@@ -141,6 +141,9 @@ ordered_json measures_json(const Measures& m)
     json["min_area_ratio"] = when(m.has_rest, q.min_area_ratio);
     json["flipped"] = when(m.has_rest, q.flipped);
     json["self_intersections"] = when(m.has_rest, q.self_intersections);
+    json["crown"] = m.has_rest && m.has_line && q.crown
+                        ? ordered_json{{"change", q.crown->change}, {"local", q.crown->local}}
+                        : ordered_json(nullptr);
     json["rim_crease"] =
         when(m.has_rest, {{"mean_change", q.rim_crease_mean_change}, {"max_change", q.rim_crease_max_change}});
     json["extension_crease"] =
@@ -189,6 +192,10 @@ Rows measure_rows(const Measures& m)
         rows.push_back({"area with changed Gauss curvature sign [%]", "", number(100 * q.gauss_sign_change)});
         if (m.has_compressed) {
             rows.push_back({"the same on the compressed side [%]", "", number(100 * q.gauss_sign_change_compressed)});
+        }
+        if (q.crown && m.has_line) {
+            rows.push_back({"crown of the tension side, relative change", "", number(q.crown->change)});
+            rows.push_back({"the same, vertex by vertex", "", number(q.crown->local)});
         }
         rows.push_back({"area with changed mean curvature sign [%]", "", number(100 * q.mean_sign_change)});
         triangle_rows(rows, q);

@@ -187,6 +187,17 @@ void add_move_options(std::vector<Option>& table)
          .zero = "a hundred-thousandth of the region's diagonal"},
         {.section = "move", .name = "max_iterations", .slot = at<m, &M::max_iterations>, .commands = moving,
          .help = "Solver iterations after which the move counts as not converged.", .min = 1, .max = 10000000},
+        {.section = "move", .name = "rim", .slot = at<m, &M::rim>, .commands = moving,
+         .help = "What is kept where the region ends, beside the place: the tangent plane, or only the place; auto: "
+                 "plate-fl the tangent plane but on open borders and creases, other methods what clamp_rings gives.",
+         .choices = {"auto", "position", "tangent"}},
+        {.section = "move", .name = "crease", .slot = at<m, &M::crease>, .commands = moving,
+         .help = "plate-fl: what becomes of the crease along the moved line: free for sections with one sign of "
+                 "curvature, or keep the angle.",
+         .choices = {"free", "keep"}},
+        {.section = "move", .name = "plate_stiffness_ratio", .slot = at<m, &M::plate_stiffness_ratio>,
+         .commands = moving, .help = "plate-fl: bending stiffness along the move against across; 1 is isotropic.",
+         .min = 1, .max = 1e6},
         {.section = "move", .name = "clamp_rings", .slot = at<m, &M::clamp_rings>, .commands = moving,
          .help = "Rings of triangles outside the region that hold its slope at the rim.", .min = 0, .max = 2},
         {.section = "move", .name = "rings", .slot = at<m, &M::rings>, .commands = moving,

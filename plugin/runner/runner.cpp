@@ -37,6 +37,23 @@ void collect_warnings(JobOutcome& outcome)
     }
 }
 
+/// From this change of the crease angle at the rim on, mean and largest, a move is said to leave a crease [deg].
+constexpr double rim_crease_mean = 0.5, rim_crease_max = 1.5;
+
+void warn_of_rim_crease(JobOutcome& outcome)
+{
+    const QualityReport& q = outcome.measures.quality;
+    if (q.rim_crease_mean_change > rim_crease_mean || q.rim_crease_max_change > rim_crease_max) {
+        const char* remedy = outcome.move.method == Method::plate_fl
+                                 ? "widen it (--roi-distance)"
+                                 : "use --method plate-fl or widen it (--roi-distance)";
+        outcome.warnings.push_back(fmt::format(
+            "the move leaves a crease where the region ends, {:.2g} deg in the mean and {:.2g} deg at most: "
+            "{}",
+            q.rim_crease_mean_change, q.rim_crease_max_change, remedy));
+    }
+}
+
 std::string mm(double x) { return fmt::format("{:.4g} mm", x); }
 
 } // namespace
@@ -98,6 +115,11 @@ MoveOptions move_options(const Job& job)
     options.ring_weights = s.ring_weights == "by-cell" ? RingWeights::by_cell : RingWeights::even;
     options.smoothness = s.smoothness;
     options.check_unique = s.check_unique;
+    options.rim = named<RimControl>(s.rim, {{"position", RimControl::position}, {"tangent", RimControl::tangent}})
+                      .value_or(RimControl::automatic);
+    options.rim_crease_angle = std::min(job.lines.crease_angle_low, job.lines.crease_angle);
+    options.line_crease = s.crease == "keep" ? LineCrease::keep : LineCrease::free;
+    options.plate_stiffness_ratio = s.plate_stiffness_ratio;
     return options;
 }
 
@@ -142,6 +164,7 @@ Result<JobOutcome> run_steps(const Job& job, const Progress& progress)
             outcome.input_sha256 = std::move(sum);
             outcome.gates = evaluate_gates(job.gate, outcome.measures);
             collect_warnings(outcome);
+            warn_of_rim_crease(outcome);
             return write_outputs(job, outcome, watch, progress.part(0.93, 1.0));
         })
         .map([&] {
@@ -178,6 +201,8 @@ std::string outcome_table(const JobOutcome& o)
         {"inflections, compressed side", compressed ? change(q.compressed_sections) : "-"},
         {fmt::format("inflections, {} side", compressed ? "tension" : "either"), change(q.tension_sections)},
         {"crease angle before, after", fmt::format("{:.3f}, {:.3f} deg", q.crease_before, q.crease_after)},
+        {"rim crease mean, max", fmt::format("{:.3f}, {:.3f} deg", q.rim_crease_mean_change, q.rim_crease_max_change)},
+        {"crown change, tension side", q.crown ? fmt::format("{:+.3f}", q.crown->change) : "-"},
         {"line error", fmt::format("{:.2e} mm", q.line_error_max_mm)},
         {"squash", fmt::format("{:.3f}", q.squash)},
         {"flipped triangles", std::to_string(q.flipped)},

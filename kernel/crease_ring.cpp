@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/crease_ring.h"
+
+#include "kernel/crease.h"
+#include "kernel/topology.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace tapeline {
+
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// A line edge, as carried and as wanted, with the normal that this side has and shall have there.
+struct RingEdge {
+    size_t from = 0, to = 0; ///< entries of the line
+    int apex = -1;
+    Vec3 normal_before = Vec3::Zero(), normal_after = Vec3::Zero();
+    Vec3 along_before = Vec3::Zero(), along_after = Vec3::Zero();
+};
+
+/// Columns: along, across (in the plane), normal.
+Eigen::Matrix3d frame(const Vec3& along, const Vec3& normal)
+{
+    Eigen::Matrix3d columns;
+    columns.col(2) = normal.normalized();
+    columns.col(0) = (along - columns.col(2) * columns.col(2).dot(along)).normalized();
+    columns.col(1) = columns.col(2).cross(columns.col(0));
+    return columns;
+}
+
+std::vector<RingEdge> ring_edges(const SideMesh& side, const Positions& carried, bool closed,
+                                 const std::vector<Vec3>& line, const std::vector<Vec3>& other_normals,
+                                 const std::vector<double>& angles, bool left)
+{
+    const Mesh inner{carried, side.mesh.F.topRows(side.inner_faces)};
+    const Topology topology(inner.F, static_cast<int>(inner.V.rows()));
+    std::vector<RingEdge> edges;
+    const size_t n = side.line.size();
+    for (size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+        RingEdge edge{.from = i, .to = (i + 1) % n};
+        const int a = side.line[edge.from], b = side.line[edge.to];
+        const int t = left ? topology.face_left_of(a, b) : topology.face_left_of(b, a);
+        if (t < 0) {
+            continue;
+        }
+        edge.apex = inner.F.row(t).sum() - a - b;
+        edge.normal_before = triangle_normal(inner, t);
+        edge.along_before = (carried.row(b) - carried.row(a)).normalized();
+        edge.along_after = (line[edge.to] - line[edge.from]).normalized();
+        edge.normal_after = Eigen::AngleAxisd(angles[i] / degrees, edge.along_after) * other_normals[i];
+        edges.push_back(edge);
+    }
+    return edges;
+}
+
+/// Sums of normals and directions at each entry of the line, as carried and as wanted.
+struct LineFrames {
+    std::vector<Vec3> normals[2], alongs[2];
+    LineFrames(size_t count, const std::vector<RingEdge>& edges)
+    {
+        for (int k = 0; k < 2; ++k) {
+            normals[k].assign(count, Vec3::Zero());
+            alongs[k].assign(count, Vec3::Zero());
+        }
+        for (const RingEdge& edge : edges) {
+            for (const size_t i : {edge.from, edge.to}) {
+                normals[0][i] += edge.normal_before;
+                normals[1][i] += edge.normal_after;
+                alongs[0][i] += edge.along_before;
+                alongs[1][i] += edge.along_after;
+            }
+        }
+    }
+    Eigen::Matrix3d turn(size_t i) const
+    {
+        return frame(alongs[1][i], normals[1][i]) * frame(alongs[0][i], normals[0][i]).transpose();
+    }
+};
+
+} // namespace
+
+CreaseRing crease_ring(const SideMesh& side, const Positions& carried, bool closed, const std::vector<Vec3>& line,
+                       const std::vector<Vec3>& other_normals, const std::vector<double>& angles, bool left)
+{
+    const std::vector<RingEdge> edges = ring_edges(side, carried, closed, line, other_normals, angles, left);
+    const LineFrames frames(side.line.size(), edges);
+    std::vector<int> entry(carried.rows(), -1);
+    std::vector<char> held(carried.rows(), 0);
+    for (size_t i = 0; i < side.line.size(); ++i) {
+        entry[side.line[i]] = static_cast<int>(i);
+        held[side.line[i]] = 1;
+    }
+    for (const std::vector<int>* list : {&side.fixed, &side.guided}) {
+        for (const int v : *list) {
+            held[v] = 1;
+        }
+    }
+    const Topology topology(side.mesh.F.topRows(side.inner_faces), static_cast<int>(carried.rows()));
+    std::map<int, std::vector<Vec3>> places;
+    for (const MeshEdge& edge : topology.edges()) {
+        for (const auto& [on, off] : {std::pair{edge.a, edge.b}, std::pair{edge.b, edge.a}}) {
+            if (entry[on] >= 0 && !held[off] && !frames.normals[0][entry[on]].isZero(0)) {
+                const Vec3 arm = carried.row(off) - carried.row(on);
+                places[off].push_back(line[entry[on]] + frames.turn(entry[on]) * arm);
+            }
+        }
+    }
+    std::map<int, std::vector<CreaseWish>> wishes;
+    for (const RingEdge& edge : edges) {
+        if (places.contains(edge.apex)) {
+            const Vec3 arm = carried.row(edge.apex) - carried.row(side.line[edge.from]);
+            const Vec3 across = arm - edge.along_before * edge.along_before.dot(arm);
+            const double share = edge.along_before.dot(arm) /
+                                 (carried.row(side.line[edge.to]) - carried.row(side.line[edge.from])).norm();
+            const Vec3 foot = line[edge.from] + share * (line[edge.to] - line[edge.from]);
+            const Vec3 into = (left ? 1 : -1) * edge.normal_after.cross(edge.along_after);
+            wishes[edge.apex].push_back({foot + across.norm() * into, edge.normal_after, across.norm()});
+        }
+    }
+    CreaseRing ring;
+    for (const auto& [v, wanted] : places) {
+        Vec3 mean = Vec3::Zero();
+        for (const Vec3& place : wanted) {
+            mean += place / static_cast<double>(wanted.size());
+        }
+        const auto own = wishes.find(v);
+        ring.vertices.push_back(v);
+        ring.targets.push_back(own == wishes.end() ? mean : reconcile(own->second));
+    }
+    return ring;
+}
+
+} // namespace tapeline

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/mesh.h"
+#include "kernel/orthotropic.h"
+
+#include <Eigen/Sparse>
+#include <vector>
+
+namespace tapeline {
+
+/// How a triangle mesh is curved, at each vertex, as the thin plate sees it (method.md B5, A9).
+struct PlateShape {
+    std::vector<TriangleElement> elements;
+    Eigen::SparseMatrix<double> K;          ///< Σ_t A_t g_aᵀ D_t g_b, n×n
+    Positions laplacian;                    ///< K p, row a = -M_a (D : ∇∇p) but for discretisation
+    Positions normals;                      ///< unit, area-weighted
+    std::vector<double> cells;              ///< M_a: a third of the triangles around a [mm²]
+    std::vector<Eigen::Matrix3d> metric;    ///< D of the triangles around a, in space
+    std::vector<Eigen::Matrix3d> curvature; ///< second fundamental form in space: n·∂∂p, from the normals' gradient
+
+    /// D : curvature at vertex v, the orthotropic sum of normal curvatures [1/mm].
+    double bend(int v) const { return metric[v].cwiseProduct(curvature[v]).sum(); }
+};
+
+PlateShape plate_shape(const Mesh& mesh, const Material& material);
+
+/// K V, each row summed over differences to its own vertex, which keeps the digits that large coordinates would cost.
+Positions apply_stiffness(const Eigen::SparseMatrix<double>& K, const Positions& V);
+
+/// Curvature vector of the polyline through the listed vertices at each of them [1/mm], zero at the ends of an open one.
+std::vector<Vec3> polyline_curvature(const Positions& V, const std::vector<int>& line, bool closed);
+
+} // namespace tapeline

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/error.h"
+#include "kernel/linear_solver.h"
+#include "kernel/plate_shape.h"
+
+#include <Eigen/Sparse>
+#include <vector>
+
+namespace tapeline {
+
+/// What holds a plate.
+struct PlateSupport {
+    std::vector<int> constrained; ///< vertices whose positions are given, without repeats
+    Positions targets = {};       ///< one row each [mm]
+    /// Constrained vertices at which the plate may tilt: a hinge on a border, a kink inside. At all others its tangent
+    /// plane follows the triangles that have no free corner (the ring outside a rim), or stays smooth across.
+    std::vector<int> free_slope = {};
+    std::vector<int> line =
+        {}; ///< the chain of free_slope vertices along which the plate ends or kinks, in order; may be empty
+    bool closed = false; ///< whether that chain closes
+};
+
+/// The thin-plate energy of a mesh with its support, factorised once: what kernel/plate iterates on.
+///
+/// The plate is described over a *domain*: the rest mesh stretched to where the support wants it, by the harmonic
+/// extension of the support's displacements. Over it, with x the positions wanted, K the orthotropic stiffness matrix and
+/// M_a the area of vertex a (a third of each of its triangles that has a free corner),
+///
+///     E(x) = Σ_a |(K x)_a - R_a T_a|² / M_a
+///
+/// summed over the free vertices and the constrained ones that are not in `free_slope`. T_a is what (K x)_a would be
+/// with the rest shape's curvature: its normal part is -M_a D : b with b the second fundamental form at rest, carried to
+/// the domain and kept under stretching; its tangential part is the domain's own. So E measures how much the surface
+/// bends, not how it is stretched; where the domain is the rest mesh, T = K p and E is method.md A9's energy of u = x - p
+/// (up to the rotations). R_a is fitted to the triangles around a, from the domain to x; where some of them have no free
+/// corner, to those alone, so that a clamped rim keeps its own rotation. At free vertices of borders it is the rigid
+/// motion of the support: the surface meets a free border as it did, ∂u/∂n = 0.
+///
+/// Rows of the other vertices are left out: the plate has no moment there. Along `line`, Δ would couple that with the
+/// line's own new curvature (a Poisson ratio of 1); instead that curvature is given to the row, so that the section
+/// across the line keeps its curvature there (a Poisson ratio of 0).
+class PlateSystem {
+public:
+    /// Rejected when a triangle has no area or a vertex hangs on no constraint; not converged when the matrix cannot be
+    /// factorised.
+    static Result<PlateSystem> create(const Mesh& rest, const PlateSupport& support, const Material& material);
+
+    int free_count() const { return static_cast<int>(free_.size()); }
+
+    /// The start of the iteration: the domain, which meets the support. It is the rest shape to the bit where the
+    /// support does not move.
+    const Positions& start() const { return domain_.V; }
+
+    /// Fits rotations, stretch and the line's normals to these positions.
+    void fit(const Positions& V);
+    /// One back-solve: the positions that minimise E for what was fitted last. `V` must meet the support; being near to
+    /// the answer it only saves rounding error.
+    Positions minimise(const Positions& V) const;
+    /// E for what was fitted last, without unit.
+    double energy(const Positions& V) const;
+
+private:
+    PlateSystem() = default;
+    Result<void> check() const;
+    void find_free();
+    void predict(const Material& material);
+    void find_rows();
+    void find_targets(const PlateShape& rest);
+    Result<void> factorise();
+    Eigen::Matrix3d moment(const Mesh& from, const std::vector<TriangleElement>& elements, const Positions& to,
+                           int v) const;
+    Positions residuals(const Positions& V) const;
+
+    Mesh rest_, domain_;
+    PlateSupport support_;
+    PlateShape shape_;             ///< of the domain
+    Eigen::Matrix3d support_turn_; ///< rotation of the rigid motion that fits the clamped support best
+    std::vector<int> free_, unknown_of_;
+    std::vector<double> weights_; ///< per vertex 1 / M_a, 0 where its row does not count
+    std::vector<std::vector<int>>
+        around_;        ///< per vertex the triangles that its rotation is fitted to; none: not fitted
+    Positions targets_; ///< T
+    Positions normals_; ///< the rest normals carried to the domain
+    std::vector<Eigen::Matrix3d> curvature_;            ///< b, carried to the domain
+    std::vector<Eigen::Matrix<double, 3, 2>> tangents_; ///< orthonormal, of the domain
+    std::vector<Eigen::Matrix2d> unstretched_; ///< inverse of what is fitted to the domain itself, in those tangents
+    std::vector<double> line_bend_; ///< per entry of the line what its curvature vector · n is at rest, less b
+    CholeskySolver solver_;
+    Positions wanted_; ///< R T of the last fit
+    Positions ends_;   ///< rows given along the line
+};
+
+} // namespace tapeline

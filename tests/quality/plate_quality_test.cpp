@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a stylist sees at once: a crease where the region ends, a tension side pulled straight, an inflection. The
+// crease-slide panel with surroundings, so that all four rims of the region are inside the model.
+#include "plugin/runner/measures.h"
+#include "tests/support/moves.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <numbers>
+
+using namespace tapeline;
+using namespace tapeline::testing;
+
+namespace {
+
+/// 1000 × 800 mm; the region is the panel's 800 × 600 mm.
+struct WidePanel {
+    Model model;
+    std::vector<int> line;
+    Region region;
+
+    explicit WidePanel(Diagonals diagonals, int nx = 76, int ny = 54)
+        : model(model_of(grid(nx, ny, -500, 500, -400, 400, crease_panel_height, diagonals, {ny / 2})))
+    {
+        const Mesh& mesh = model.mesh;
+        std::vector<int> faces;
+        for (int t = 0; t < mesh.F.rows(); ++t) {
+            const Vec3 centre = (mesh.V.row(mesh.F(t, 0)) + mesh.V.row(mesh.F(t, 1)) + mesh.V.row(mesh.F(t, 2))) / 3;
+            if (std::abs(centre.x()) < 400 && std::abs(centre.y()) < 300) {
+                faces.push_back(t);
+            }
+        }
+        region = region_of_faces(model, faces, false, {});
+        for (int i = 0; i <= nx; ++i) {
+            if (std::abs(-500 + 1000.0 * i / nx) < 400) {
+                line.push_back(ny / 2 * (nx + 1) + i);
+            }
+        }
+    }
+};
+
+MeasuredMove move_panel(const WidePanel& panel, const TargetCurve& target, const MoveOptions& options)
+{
+    auto moved = move_feature_line(panel.model, line_of(panel.model, panel.line), target, panel.region, options);
+    if (!moved) {
+        throw std::runtime_error(moved.error().message);
+    }
+    auto quality = measure_quality(quality_input(*moved, target));
+    if (!quality) {
+        throw std::runtime_error(quality.error().message);
+    }
+    return {std::move(*moved), *quality};
+}
+
+MeasuredMove slide_panel(const WidePanel& panel, double slide, Method method, LineCrease crease = LineCrease::free)
+{
+    MoveOptions options;
+    options.method = method;
+    options.line_crease = crease;
+    return move_panel(panel, crease_slide_target(slide), options);
+}
+
+struct Slide {
+    Diagonals diagonals;
+    double mm;
+};
+
+class PlatePanel : public ::testing::TestWithParam<Slide> {};
+
+const auto slides = ::testing::Values(Slide{Diagonals::alternating, 25}, Slide{Diagonals::alternating, 50},
+                                      Slide{Diagonals::alternating, 75}, Slide{Diagonals::alternating, 100},
+                                      Slide{Diagonals::random, 50}, Slide{Diagonals::random, 100});
+
+std::string slide_name(const ::testing::TestParamInfo<Slide>& entry)
+{
+    return fmt::format("{}Slide{}", entry.param.diagonals == Diagonals::random ? "Irregular" : "Regular",
+                       static_cast<int>(entry.param.mm));
+}
+
+} // namespace
+
+TEST_P(PlatePanel, KeepsTheTangentAtTheRimAndTheCrownWithoutAnInflection)
+{
+    const WidePanel panel(GetParam().diagonals);
+    const auto [move, plate] = slide_panel(panel, GetParam().mm, Method::plate_fl);
+    const auto [other, asan] = slide_panel(panel, GetParam().mm, Method::asan_fl);
+    EXPECT_TRUE(move.converged());
+    EXPECT_LE(plate.rim_crease_mean_change, 0.5);
+    EXPECT_LE(plate.rim_crease_max_change, 1.5);
+    EXPECT_LE(plate.rim_crease_max_change, 0.2 * asan.rim_crease_max_change);
+    ASSERT_TRUE(plate.crown && asan.crown);
+    EXPECT_LE(std::abs(plate.crown->change), std::abs(asan.crown->change) / 3);
+    EXPECT_LE(plate.crown->local, asan.crown->local / 3);
+    EXPECT_EQ(plate.tension_sections.inflections_after, 0);
+    EXPECT_EQ(plate.compressed_sections.inflections_after, 0);
+    EXPECT_LE(std::abs(plate.bulge_max_mm), 0.1);
+    EXPECT_GE(plate.squash, std::min(0.6, asan.squash - 1e-4));
+    EXPECT_EQ(plate.flipped, 0);
+    EXPECT_EQ(plate.self_intersections, 0);
+    EXPECT_LE(plate.line_error_max_mm, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Slides, PlatePanel, slides, slide_name);
+
+namespace {
+
+/// The line's target over its whole length: displaced by `offset` times a bell of 800 mm, on the panel's surface where
+/// only y moves.
+ParametricCurve belled(double dy, double dz)
+{
+    const double w = std::numbers::pi / 800, slope = std::tan(6 * std::numbers::pi / 180);
+    return {[=](double x) {
+                const double bell = std::cos(w * x) * std::cos(w * x);
+                return Vec3(x, dy * bell, crease_panel_height(x, dy * bell) + dz * bell);
+            },
+            [=](double x) {
+                const double bell = std::cos(w * x) * std::cos(w * x), rise = -w * std::sin(2 * w * x);
+                return Vec3(1, dy * rise,
+                            -x / 6000 - dy * dy * bell * rise / 3000 - slope * std::abs(dy) * rise + dz * rise);
+            },
+            -390, 390};
+}
+
+MeasuredMove bell_panel(double dy, double dz, LineCrease crease)
+{
+    MoveOptions options;
+    options.method = Method::plate_fl;
+    options.line_crease = crease;
+    options.correspondence.mode = CorrespondenceMode::arc_length;
+    return move_panel(WidePanel(Diagonals::alternating), belled(dy, dz), options);
+}
+
+} // namespace
+
+TEST(PlatePull, OfHalfTheSidesWidthKeepsOneSignOfCurvature)
+{
+    // Downwards, as the panel is crowned: upwards the crown itself asks for an inflection.
+    const auto [move, quality] = bell_panel(0, -150, LineCrease::free);
+    EXPECT_EQ(move.placement.verdict, Placement::off_surface);
+    EXPECT_TRUE(move.converged());
+    EXPECT_EQ(quality.flipped, 0);
+    EXPECT_GE(quality.squash, 0.3);
+    EXPECT_EQ(quality.tension_sections.inflections_after, 0);
+    EXPECT_LE(quality.line_error_max_mm, 1e-9);
+}
+
+TEST(PlatePull, KeepsTheCreaseByItselfWhenAsked)
+{
+    const auto [move, quality] = bell_panel(0, 20, LineCrease::keep);
+    EXPECT_EQ(move.placement.verdict, Placement::off_surface);
+    EXPECT_LE(quality.crease_rms_difference, 1);
+    EXPECT_LE(quality.rim_crease_max_change, 1.5);
+    const auto [tilted, free] = bell_panel(0, 20, LineCrease::free);
+    EXPECT_GT(free.crease_rms_difference, 8 * quality.crease_rms_difference);
+}
+
+TEST(PlateSlide, OfSeventyPercentOfTheWidthFoldsNothing)
+{
+    for (const LineCrease crease : {LineCrease::free, LineCrease::keep}) {
+        const auto [move, quality] = bell_panel(210, 0, crease);
+        EXPECT_EQ(move.placement.verdict, Placement::on_surface);
+        EXPECT_TRUE(move.converged());
+        EXPECT_EQ(quality.flipped, 0);
+        EXPECT_EQ(quality.compressed_sections.inflections_after, 0);
+        if (crease == LineCrease::free) {
+            EXPECT_GE(quality.squash, 0.3 * 0.95);
+            EXPECT_EQ(quality.tension_sections.inflections_after, 0);
+        }
+    }
+}
