@@ -2,6 +2,7 @@
 #include "kernel/move_steps.h"
 
 #include "kernel/border_slide.h"
+#include "kernel/feature_rails.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -141,7 +142,8 @@ void MoveState::keep_whole()
 Result<void> MoveState::split()
 {
     return timed("split", [&]() -> Result<void> {
-        auto parts = split_along(extended_, options_.clamp_rings);
+        auto parts = split_along(extended_, options_.clamp_rings,
+                                 other_feature_edges(extended_.model, extended_.vertices, extended_.closed));
         if (!parts) {
             return tl::unexpected(parts.error());
         }

@@ -46,7 +46,7 @@ Result<RetractionResult> retract(const SideMesh& side, const std::vector<Vec3>& 
         if (const auto error = refusal(side, displacements)) {
             return tl::unexpected(*error);
         }
-        const RetractionTask task(side, displacements);
+        const RetractionTask task(side, displacements, options.mode == RetractionMode::harmonic);
         RetractionResult result;
         switch (options.mode) {
         case RetractionMode::harmonic:

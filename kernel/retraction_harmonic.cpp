@@ -16,6 +16,73 @@ constexpr double least_compression = 0.05;
 
 using Frames = std::vector<Eigen::Matrix3d>;
 
+/// Unknowns per vertex: the three components of a vector, or one, the share along its rail.
+struct Unknowns {
+    std::vector<int> first; ///< of each vertex, and at last the number of all
+    std::vector<Eigen::MatrixXd> basis; ///< 3×3 or 3×1, in the components of the vertex's frame
+
+    Unknowns(const RetractionTask& task, const Frames& frames)
+    {
+        int count = 0;
+        for (int v = 0; v < static_cast<int>(frames.size()); ++v) {
+            const bool railed = task.rails().slides(v);
+            first.push_back(count);
+            basis.emplace_back(railed ? Eigen::MatrixXd(frames[v].transpose() * task.rails().tangent(v))
+                                      : Eigen::MatrixXd(Eigen::Matrix3d::Identity()));
+            count += railed ? 1 : 3;
+        }
+        first.push_back(count);
+    }
+    int size(int v) const { return first[v + 1] - first[v]; }
+};
+
+/// The stiffness of all components together, which the rails couple.
+Eigen::SparseMatrix<double> railed_stiffness(const Eigen::SparseMatrix<double>& K, const Unknowns& unknowns)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(3 * static_cast<size_t>(K.nonZeros()));
+    for (int column = 0; column < K.outerSize(); ++column) {
+        for (Eigen::SparseMatrix<double>::InnerIterator it(K, column); it; ++it) {
+            const int row = static_cast<int>(it.row());
+            const Eigen::MatrixXd block = it.value() * unknowns.basis[row].transpose() * unknowns.basis[column];
+            for (int i = 0; i < block.rows(); ++i) {
+                for (int j = 0; j < block.cols(); ++j) {
+                    if (block(i, j) != 0) {
+                        entries.emplace_back(unknowns.first[row] + i, unknowns.first[column] + j, block(i, j));
+                    }
+                }
+            }
+        }
+    }
+    Eigen::SparseMatrix<double> all(unknowns.first.back(), unknowns.first.back());
+    all.setFromTriplets(entries.begin(), entries.end());
+    return all;
+}
+
+/// As `harmonic_extension` of n×6 values (two vectors per vertex), where the vectors of vertices on rails may only point
+/// along them.
+Eigen::MatrixXd railed_extension(const RetractionTask& task, const Frames& frames, const Eigen::SparseMatrix<double>& K,
+                                 const std::vector<int>& constrained, const Eigen::MatrixXd& values)
+{
+    const Unknowns unknowns(task, frames);
+    std::vector<int> rows;
+    Eigen::MatrixXd given(3 * values.rows(), 2);
+    for (size_t i = 0; i < constrained.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const auto row = static_cast<Eigen::Index>(i);
+            given.row(static_cast<Eigen::Index>(rows.size())) << values(row, k), values(row, 3 + k);
+            rows.push_back(unknowns.first[constrained[i]] + k);
+        }
+    }
+    const Eigen::MatrixXd solved = harmonic_extension(railed_stiffness(K, unknowns), rows, given);
+    Eigen::MatrixXd u(static_cast<Eigen::Index>(frames.size()), 6);
+    for (int v = 0; v < u.rows(); ++v) {
+        const Eigen::MatrixXd both = unknowns.basis[v] * solved.middleRows(unknowns.first[v], unknowns.size(v));
+        u.row(v) << both.col(0).transpose(), both.col(1).transpose();
+    }
+    return u;
+}
+
 /// n×6, per vertex its move in space and its arc along the surface: the harmonic extension, in the components of the
 /// frames, of what the line, the free borders and the rim do.
 Eigen::MatrixXd extend(const RetractionTask& task, const std::vector<TriangleElement>& elements, const Frames& frames)
@@ -34,7 +101,9 @@ Eigen::MatrixXd extend(const RetractionTask& task, const std::vector<TriangleEle
         const Vec3 u = entry >= 0 ? task.moves()[entry] : shift, arc = entry >= 0 ? task.arcs()[entry] : shift;
         values.row(static_cast<Eigen::Index>(i)) << u.transpose() * frames[v], arc.transpose() * frames[v];
     }
-    Eigen::MatrixXd u = harmonic_extension(stiffness_matrix(inner, elements), constrained, values);
+    const Eigen::SparseMatrix<double> K = stiffness_matrix(inner, elements);
+    Eigen::MatrixXd u = task.rails().empty() ? harmonic_extension(K, constrained, values)
+                                             : railed_extension(task, frames, K, constrained, values);
     for (int v = 0; v < u.rows(); ++v) {
         u.row(v).head<3>() *= frames[v].transpose();
         u.row(v).tail<3>() *= frames[v].transpose();

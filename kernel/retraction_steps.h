@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/closest_point.h"
+#include "kernel/feature_rails.h"
 #include "kernel/retraction.h"
+#include "kernel/retraction_ground.h"
 #include "kernel/topology.h"
 
 #include <optional>
@@ -14,8 +15,12 @@ namespace tapeline {
 /// The parts that all ways of retracting share; not for use outside retraction*.cpp.
 class RetractionTask {
 public:
-    /// `displacements` has one entry per entry of side.line.
-    RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements);
+    /// `displacements` has one entry per entry of side.line. `on_rails`: the other feature lines in the side and its free
+    /// borders stay where they are, their vertices slide along them; otherwise the side counts as smooth all over, and
+    /// the vertices of free borders that the line does not reach stay.
+    RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements, bool on_rails);
+    RetractionTask(const RetractionTask&) = delete;
+    RetractionTask& operator=(const RetractionTask&) = delete;
 
     const Mesh& inner() const { return inner_; }
     const Topology& topology() const { return topology_; }
@@ -26,7 +31,8 @@ public:
 
     /// Entry of vertex v in the line, -1 off the line.
     int line_entry(int v) const { return entry_[v]; }
-    /// True where the retraction decides freely: neither on the line, nor fixed, nor on a free border.
+    /// True where the retraction decides: not on the line, nor fixed, nor a corner of rails, nor on a border that slides
+    /// with the line's end.
     bool free(int v) const { return free_[v]; }
 
     /// Per line entry the part of its displacement that goes into the side [mm]: with m the mean unit conormal into the
@@ -35,39 +41,42 @@ public:
     const std::vector<Vec3>& moves() const { return moves_; }
 
     /// Positions with line, guided vertices and free borders at their final places and all else at rest: line vertices
-    /// on the surface point closest to rest + move; guided ones on their targets; borders that are neither line nor fixed keep their shape, their vertices
-    /// slide along them, in proportion to arc length from the line's end (or not, where the line does not end there).
+    /// on the surface point closest to rest + move, or on the other feature line that leaves there in the move's
+    /// direction (within a half of it); guided ones on their targets; the vertices of a free border on which the line ends
+    /// slide along it in proportion to arc length from the line's end.
     const Positions& start() const { return start_; }
 
     /// Per line entry the tangent vector at its vertex along which the straightest path ends at the vertex's final place
     /// (by shooting; the move itself where no such path is found) [mm].
     const std::vector<Vec3>& arcs() const { return arcs_; }
 
-    /// The place on the surface for vertex v that moves by `u` in space, or by the tangent vector `arc` along the
-    /// surface. Where the surface turns by less than 15° on the way: the surface point closest to P + u. (On folded
-    /// sides that point may lie on another sheet; where it is not next to the path's end, the point found by walking
-    /// downhill from there is taken, unless it misses P + u by more than a quarter of |u| beyond the closest point's
-    /// distance; then the point over or under P + u along the surface's smooth normal.) Where it turns by more than 30°, P + u leaves the surface: the end of the straightest path along
-    /// `arc`. A blend of both, laid on the surface, in between.
-    Vec3 place(int v, const Vec3& u, const Vec3& arc) const;
+    /// The other feature lines and free borders in the side, along which their vertices slide.
+    const FeatureRails& rails() const { return rails_; }
+
+    /// The place for vertex v that moves by `u` in space, or by the tangent vector `arc` along the surface: along its
+    /// rail, where it is on one, else on the ground.
+    Vec3 place(int v, const Vec3& u, const Vec3& arc) const
+    {
+        return rails_.slides(v) ? rails_.along(v, u.dot(rails_.tangent(v))) : ground_.place(v, u, arc);
+    }
 
 private:
     void find_moves(const std::vector<Vec3>& displacements);
     void place_line();
     void place_guided(const std::vector<Vec3>& displacements);
-    void slide_borders();
+    void slide_borders(bool others_slide);
     void find_arcs();
-    Vec3 arc_to(int v, const Vec3& u, const Vec3& goal) const;
-    Vec3 normal_at(int face, const Vec3& barycentric) const;
-    Vec3 along_normal(int face, const Vec3& foot, const Vec3& wanted) const;
-    Vec3 closest_from(int face, const Vec3& wanted, const Vec3& u) const;
+    Vec3 on_surface(size_t entry);
+    void lay_rails(bool along_borders);
     std::vector<int> border_chain(int from, int next, std::vector<char>& seen) const;
     void slide_chain(const std::vector<int>& chain);
 
     const SideMesh& side_;
     Mesh inner_;
     Topology topology_;
-    ClosestPoint surface_;
+    std::vector<VertexPair> walls_; ///< edges of other feature lines inside the side, ascending
+    RetractionGround ground_;
+    FeatureRails rails_;
     bool closed_ = false;
     std::vector<int> entry_;
     std::vector<char> free_;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernel/parallel.h"
 #include "kernel/retraction_steps.h"
-#include "kernel/sliding.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <functional>
+#include <limits>
 
 namespace tapeline {
 
@@ -14,10 +13,6 @@ namespace {
 
 /// Share of the largest displacement over which a line that leaves the side stops dragging material along.
 constexpr double fade_width = 0.1;
-/// Turn of the surface on a vertex's way [deg] from which on, and beyond which alone, the straightest path decides.
-constexpr double walk_from = 15, walk_beyond = 30;
-/// Tries to hit a line vertex's place by a straightest path.
-constexpr int shots = 8;
 
 Mesh inner_mesh(const SideMesh& side) { return {side.mesh.V, side.mesh.F.topRows(side.inner_faces)}; }
 
@@ -30,31 +25,11 @@ Vec3 conormal(const Mesh& mesh, int t, int a, int b)
     return (arm - edge * edge.dot(arm)).normalized();
 }
 
-/// Point of triangle t closest to p (Ericson, Real-Time Collision Detection, 5.1.5, by the closest of plane and edges).
-Vec3 closest_in_triangle(const Mesh& mesh, int t, const Vec3& p)
-{
-    const Vec3 corner[3] = {mesh.V.row(mesh.F(t, 0)), mesh.V.row(mesh.F(t, 1)), mesh.V.row(mesh.F(t, 2))};
-    const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-    const Vec3 foot = p - n * (n.dot(p - corner[0]) / n.squaredNorm());
-    Vec3 best = corner[0];
-    bool inside = true;
-    double least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) {
-        const Vec3 &a = corner[k], edge = corner[(k + 1) % 3] - a;
-        inside = inside && n.dot(edge.cross(foot - a)) >= 0;
-        const Vec3 on_edge = a + edge * std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0);
-        if ((p - on_edge).squaredNorm() < least) {
-            least = (p - on_edge).squaredNorm();
-            best = on_edge;
-        }
-    }
-    return inside ? foot : best;
-}
-
 } // namespace
 
-RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements)
-    : side_(side), inner_(inner_mesh(side)), topology_(inner_.F, static_cast<int>(inner_.V.rows())), surface_(inner_),
+RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements, bool on_rails)
+    : side_(side), inner_(inner_mesh(side)), topology_(inner_.F, static_cast<int>(inner_.V.rows())),
+      walls_(on_rails ? side.features : std::vector<VertexPair>{}), ground_(inner_, walls_),
       entry_(inner_.V.rows(), -1), free_(inner_.V.rows(), 1), normals_(vertex_normals(inner_)), start_(inner_.V)
 {
     for (size_t i = 0; i < side.line.size(); ++i) {
@@ -75,10 +50,28 @@ RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& di
     const int closing = side.line.size() > 2 ? topology_.find_edge(side.line.back(), side.line.front()) : -1;
     closed_ = closing >= 0 && topology_.edge(closing).border();
     find_moves(displacements);
+    lay_rails(false);
     place_line();
     place_guided(displacements);
-    slide_borders();
+    slide_borders(on_rails);
+    lay_rails(on_rails);
     find_arcs();
+}
+
+void RetractionTask::lay_rails(bool along_borders)
+{
+    std::vector<VertexPair> edges = walls_;
+    std::vector<char> given(free_.size());
+    std::ranges::transform(free_, given.begin(), std::logical_not<>());
+    for (const MeshEdge& edge : topology_.edges()) {
+        if (along_borders && edge.border() && (free_[edge.a] || free_[edge.b])) {
+            edges.push_back({edge.a, edge.b});
+        }
+    }
+    rails_ = FeatureRails(inner_, edges, given);
+    for (int v = 0; v < static_cast<int>(free_.size()); ++v) {
+        free_[v] = free_[v] && !rails_.corner(v) ? 1 : 0;
+    }
 }
 
 void RetractionTask::find_moves(const std::vector<Vec3>& displacements)
@@ -116,10 +109,24 @@ void RetractionTask::place_line()
 {
     for (size_t i = 0; i < moves_.size(); ++i) {
         if (!moves_[i].isZero(0)) {
-            const int v = side_.line[i];
-            start_.row(v) = surface_.closest(position(v) + moves_[i]).point;
+            start_.row(side_.line[i]) = on_surface(i);
         }
     }
+}
+
+/// Where another feature line leaves the moving line and runs the way that the displacement goes, the vertex they share
+/// slides along it; elsewhere the surface point closest to rest + move.
+Vec3 RetractionTask::on_surface(size_t entry)
+{
+    const int v = side_.line[entry];
+    const Vec3 wanted = position(v) + moves_[entry];
+    const double size = moves_[entry].norm();
+    const Vec3 on_rail = rails_.nearest(v, wanted, 2 * size);
+    if (on_rail == position(v) || (on_rail - wanted).norm() > 0.5 * size) {
+        return ground_.closest(wanted);
+    }
+    moves_[entry] = on_rail - position(v);
+    return on_rail;
 }
 
 void RetractionTask::place_guided(const std::vector<Vec3>& displacements)
@@ -133,12 +140,12 @@ void RetractionTask::place_guided(const std::vector<Vec3>& displacements)
         if (share == 1) {
             start_.row(v) = side_.guided_targets[i];
         } else if (share > 0) {
-            start_.row(v) = surface_.closest((1 - share) * position(v) + share * side_.guided_targets[i]).point;
+            start_.row(v) = ground_.closest((1 - share) * position(v) + share * side_.guided_targets[i]);
         }
     }
 }
 
-void RetractionTask::slide_borders()
+void RetractionTask::slide_borders(bool others_slide)
 {
     std::vector<char> seen(inner_.V.rows(), 0);
     for (int v = 0; v < inner_.V.rows(); ++v) {
@@ -147,7 +154,6 @@ void RetractionTask::slide_borders()
             seen[v] = 1; // still to be put into a chain
         }
     }
-    const std::vector<char> on_border = seen;
     for (const int v : {side_.line.empty() ? -1 : side_.line.front(), side_.line.empty() ? -1 : side_.line.back()}) {
         if (v < 0) {
             continue;
@@ -158,6 +164,10 @@ void RetractionTask::slide_borders()
                 slide_chain(border_chain(v, next, seen));
             }
         }
+    }
+    // Borders that the line does not reach, as those of a hole, are rails.
+    for (size_t v = 0; v < seen.size() && others_slide; ++v) {
+        free_[v] |= seen[v];
     }
 }
 
@@ -220,125 +230,12 @@ void RetractionTask::slide_chain(const std::vector<int>& chain)
     }
 }
 
-Vec3 RetractionTask::normal_at(int face, const Vec3& barycentric) const
-{
-    Vec3 sum = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-        sum += barycentric[k] * normals_.row(inner_.F(face, k)).transpose();
-    }
-    return sum.norm() > 0 ? Vec3(sum.normalized()) : triangle_normal(inner_, face);
-}
-
 void RetractionTask::find_arcs()
 {
     for (size_t i = 0; i < moves_.size(); ++i) {
         const int v = side_.line[i];
-        arcs_.push_back(moves_[i].isZero(0) ? moves_[i] : arc_to(v, moves_[i], start_.row(v)));
+        arcs_.push_back(moves_[i].isZero(0) ? moves_[i] : ground_.arc_to(v, moves_[i], start_.row(v)));
     }
-}
-
-Vec3 RetractionTask::arc_to(int v, const Vec3& u, const Vec3& goal) const
-{
-    const Vec3 normal = normals_.row(v);
-    const Vec3 tangential = u - normal * normal.dot(u);
-    if (!(tangential.norm() > 1e-3 * u.norm())) {
-        return u;
-    }
-    Vec3 arc = tangential.normalized() * u.norm(), best = arc;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < shots; ++i) {
-        const MeshPoint end = slide(inner_, topology_, v, arc);
-        if (end.face < 0) {
-            return u;
-        }
-        const Vec3 miss = goal - position_of(inner_, end);
-        if (miss.norm() < least) {
-            least = miss.norm();
-            best = arc;
-        }
-        const Vec3 correction = Eigen::Quaterniond::FromTwoVectors(normal_at(end.face, end.barycentric), normal) * miss;
-        arc += correction - normal * normal.dot(correction);
-    }
-    return least < 0.1 * u.norm() ? best : u;
-}
-
-/// The surface point below or above `wanted` along the surface's smooth normal at `foot`, which lies in triangle `face`
-/// or beside it. Closest points of a place beneath a convex edge jump from one side of the edge to the other; this does
-/// not. The foot itself where the normal misses the triangles around.
-Vec3 RetractionTask::along_normal(int face, const Vec3& foot, const Vec3& wanted) const
-{
-    const Vec3 o = position(inner_.F(face, 0)), e1 = position(inner_.F(face, 1)) - o;
-    const Vec3 e2 = position(inner_.F(face, 2)) - o, n = e1.cross(e2);
-    const double b1 = (foot - o).cross(e2).dot(n) / n.squaredNorm(), b2 = e1.cross(foot - o).dot(n) / n.squaredNorm();
-    const Vec3 normal = normal_at(face, Vec3(1 - b1 - b2, b1, b2));
-    const double most = 2 * (wanted - foot).norm();
-    double least = std::numeric_limits<double>::infinity();
-    Vec3 best = foot;
-    for (int k = 0; k < 3; ++k) {
-        for (const int t : topology_.vertex_faces(inner_.F(face, k))) {
-            const Vec3 a = position(inner_.F(t, 0)), f1 = position(inner_.F(t, 1)) - a;
-            const Vec3 f2 = position(inner_.F(t, 2)) - a, m = f1.cross(f2);
-            const double slope = m.dot(normal);
-            if (!(std::abs(slope) > 0.1 * m.norm())) {
-                continue;
-            }
-            const double height = m.dot(a - wanted) / slope;
-            const Vec3 q = wanted + height * normal;
-            const double w1 = (q - a).cross(f2).dot(m), w2 = f1.cross(q - a).dot(m), whole = m.squaredNorm();
-            const bool inside = std::min({w1, w2, whole - w1 - w2}) >= -1e-12 * whole;
-            if (inside && std::abs(height) <= most && std::abs(height) < least) {
-                least = std::abs(height);
-                best = q;
-            }
-        }
-    }
-    return best;
-}
-
-/// The surface point over or under `wanted`: near the one that walking downhill from triangle `face` finds closest, or
-/// the closest of all (see `place`).
-Vec3 RetractionTask::closest_from(int face, const Vec3& wanted, const Vec3& u) const
-{
-    const MeshFoot nearest = surface_.closest(wanted);
-    for (int k = 0; k < 9; ++k) {
-        if (inner_.F(face, k / 3) == inner_.F(nearest.face, k % 3)) {
-            return along_normal(nearest.face, nearest.point, wanted);
-        }
-    }
-    Vec3 best = closest_in_triangle(inner_, face, wanted);
-    int best_face = face;
-    for (int at = face, next = -1; at >= 0; at = next) {
-        next = -1;
-        for (int k = 0; k < 3; ++k) {
-            for (const int t : topology_.vertex_faces(inner_.F(at, k))) {
-                const Vec3 q = closest_in_triangle(inner_, t, wanted);
-                if ((q - wanted).norm() < (best - wanted).norm() * (1 - 1e-12)) {
-                    best = q;
-                    best_face = next = t;
-                }
-            }
-        }
-    }
-    const bool local = (best - wanted).norm() <= nearest.distance + 0.25 * u.norm();
-    return local ? along_normal(best_face, best, wanted) : along_normal(nearest.face, nearest.point, wanted);
-}
-
-Vec3 RetractionTask::place(int v, const Vec3& u, const Vec3& arc) const
-{
-    const MeshPoint end = slide(inner_, topology_, v, arc);
-    if (end.face < 0) {
-        return surface_.closest(position(v) + u).point;
-    }
-    const Vec3 walked = position_of(inner_, end);
-    const double cosine = Vec3(normals_.row(v)).dot(normal_at(end.face, end.barycentric));
-    const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
-    const double t = std::clamp((turn - walk_from) / (walk_beyond - walk_from), 0.0, 1.0);
-    const double share = t * t * (3 - 2 * t);
-    if (share == 1) {
-        return walked;
-    }
-    const Vec3 near = closest_from(end.face, position(v) + u, u);
-    return share == 0 ? near : closest_from(end.face, (1 - share) * near + share * walked, u);
 }
 
 } // namespace tapeline

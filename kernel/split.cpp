@@ -151,6 +151,24 @@ SideMesh make_side(const ExtendedLine& extended, const Topology& topology, const
     return side;
 }
 
+/// Takes over the edges of other feature lines that lie inside the side.
+void take_features(SideMesh& side, const Topology& topology, const std::vector<VertexPair>& features)
+{
+    const auto in_side = [&](int t) {
+        const auto end = side.global_faces.begin() + side.inner_faces;
+        return t >= 0 && std::binary_search(side.global_faces.begin(), end, t);
+    };
+    const auto local = [&](int v) {
+        return static_cast<int>(std::ranges::lower_bound(side.to_global, v) - side.to_global.begin());
+    };
+    for (const VertexPair& feature : features) {
+        const int e = topology.find_edge(feature[0], feature[1]);
+        if (e >= 0 && in_side(topology.edge(e).left) && in_side(topology.edge(e).right)) {
+            side.features.push_back({local(feature[0]), local(feature[1])});
+        }
+    }
+}
+
 std::vector<char> region_flags(const ExtendedLine& extended)
 {
     std::vector<char> flags(extended.model.mesh.F.rows(), 0);
@@ -162,7 +180,8 @@ std::vector<char> region_flags(const ExtendedLine& extended)
 
 } // namespace
 
-Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int clamp_rings)
+Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int clamp_rings,
+                                            const std::vector<VertexPair>& features)
 {
     const Mesh& mesh = extended.model.mesh;
     const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
@@ -214,6 +233,7 @@ Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int cl
             }
         }
         sides[s] = make_side(extended, topology, faces, in_region, clamp_rings);
+        take_features(sides[s], topology, features);
     }
     return sides;
 }

@@ -3,6 +3,7 @@
 
 #include "kernel/error.h"
 #include "kernel/extension.h"
+#include "kernel/face_patch.h"
 
 #include <array>
 #include <vector>
@@ -23,14 +24,16 @@ struct SideMesh {
     std::vector<int> line;         ///< local indices along L̂0, in the line's order (closed: not repeated)
     std::vector<int> fixed;  ///< local indices of immobile vertices (rim, inner constraints, clamp rings), ascending,
                              ///< without the vertices of `line`
+    std::vector<VertexPair> features; ///< local edges inside the side that belong to other feature lines, ascending
     std::vector<int> guided; ///< local border vertices that make room for a line end sliding along the border
     std::vector<Vec3> guided_targets; ///< where each of them goes; see border_slide.h
 };
 
 /// Cuts the region along the extended line (Section 5.2) into its left [0] and right [1] part. Rejected when the cut
 /// does not separate them (a hole or a second opening in the region: its place is named), with the vertex at which
-/// both parts still meet.
-Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int clamp_rings = 1);
+/// both parts still meet. `features`: edges of other feature lines, ascending; each side gets those inside it.
+Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int clamp_rings = 1,
+                                            const std::vector<VertexPair>& features = {});
 
 /// The whole region uncut, for methods that do not split (off-surface moves, baselines); `line` holds L̂0.
 SideMesh whole_region(const ExtendedLine& extended, int clamp_rings = 1);
