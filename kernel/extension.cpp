@@ -5,6 +5,7 @@
 #include "kernel/extension_route.h"
 #include "kernel/extension_space.h"
 #include "kernel/extension_target.h"
+#include "kernel/feature_rails.h"
 
 #include <algorithm>
 #include <cmath>
@@ -236,6 +237,7 @@ Result<ExtendedLine> extend_line(const Model& model, const Region& region, const
         } else if (auto done = prolong(out, model, region, correspondence, options); !done) {
             return tl::unexpected(done.error());
         }
+        out.features = other_feature_edges(out.model, out.vertices, out.closed);
         if (auto ok = set_targets(out, model, region.faces, correspondence, options); !ok) {
             return tl::unexpected(ok.error());
         }

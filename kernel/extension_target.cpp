@@ -2,6 +2,7 @@
 #include "kernel/extension_target.h"
 
 #include "kernel/closest_point.h"
+#include "kernel/topology.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,24 +15,52 @@ namespace {
 
 const Vec3 free_target = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 
-/// Area-weighted unit normal of the region at each listed vertex.
-std::vector<Vec3> normals_at(const Mesh& mesh, const std::vector<int>& faces, const std::vector<int>& vertices)
+/// Area-weighted unit normals at the arm's vertices, of those region triangles around each that hang together with the
+/// arm without another feature line between them: at a corner of the model the arm runs on in one face.
+std::vector<Vec3> normals_along(const ExtendedLine& extended, const std::vector<int>& arm)
 {
-    std::vector<int> slot(mesh.V.rows(), -1);
-    for (int i = 0; i < static_cast<int>(vertices.size()); ++i) {
-        slot[vertices[i]] = i;
-    }
-    std::vector<Vec3> normals(vertices.size(), Vec3::Zero());
-    for (const int t : faces) {
-        const Vec3 n = triangle_area(mesh, t) * triangle_normal(mesh, t);
-        for (int k = 0; k < 3; ++k) {
-            if (slot[mesh.F(t, k)] >= 0) {
-                normals[slot[mesh.F(t, k)]] += n;
+    const Mesh& mesh = extended.model.mesh;
+    const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
+    const auto wall = [&](const MeshEdge& e) {
+        return e.face_count != 2 || std::ranges::binary_search(extended.features, VertexPair{e.a, e.b});
+    };
+    std::vector<Vec3> normals;
+    for (size_t i = 0; i < arm.size(); ++i) {
+        const int v = arm[i];
+        std::vector<int> around, front;
+        for (const int t : topology.vertex_faces(v)) {
+            if (std::ranges::binary_search(extended.region.faces, t)) {
+                around.push_back(t);
             }
         }
-    }
-    for (Vec3& n : normals) {
-        n.normalize();
+        for (const size_t k : {i - 1, i + 1}) {
+            const int e = k < arm.size() ? topology.find_edge(v, arm[k]) : -1;
+            if (e >= 0) {
+                front.insert(front.end(), {topology.edge(e).left, topology.edge(e).right});
+            }
+        }
+        std::vector<int> reached;
+        while (!front.empty()) {
+            const int t = front.back();
+            front.pop_back();
+            if (std::ranges::count(around, t) == 0 || std::ranges::count(reached, t) > 0) {
+                continue;
+            }
+            reached.push_back(t);
+            for (const int e : topology.face_edges(t)) {
+                const MeshEdge& edge = topology.edge(e);
+                if ((edge.a == v || edge.b == v) && !wall(edge)) {
+                    front.push_back(topology.face_across(t, e));
+                }
+            }
+        }
+        // In a fixed order, so that the sum does not depend on the way.
+        std::ranges::sort(reached);
+        Vec3 normal = Vec3::Zero();
+        for (const int t : reached) {
+            normal += triangle_area(mesh, t) * triangle_normal(mesh, t);
+        }
+        normals.push_back(normal.normalized());
     }
     return normals;
 }
@@ -96,10 +125,10 @@ std::vector<Vec3> tapered(const Mesh& mesh, const std::vector<Vec3>& normals, co
 
 /// Targets of an arm's vertices. On the surface: the tapered displacement's end is laid on the triangles; what the
 /// line's own end stands off them fades likewise, so that the extension joins the line without a step.
-std::vector<Vec3> arm_targets(const Mesh& mesh, const std::vector<int>& faces, const Arm& arm,
-                              const ClosestPoint* surface)
+std::vector<Vec3> arm_targets(const ExtendedLine& extended, const Arm& arm, const ClosestPoint* surface)
 {
-    const std::vector<Vec3> normals = normals_at(mesh, faces, arm.vertices);
+    const Mesh& mesh = extended.model.mesh;
+    const std::vector<Vec3> normals = normals_along(extended, arm.vertices);
     const std::vector<Vec3> displacements = tapered(mesh, normals, arm, arm.displacement);
     const Vec3 off = surface ? Vec3(arm.target - surface->closest(arm.target).point) : Vec3::Zero();
     const std::vector<Vec3> offsets = tapered(mesh, normals, arm, off);
@@ -174,7 +203,7 @@ Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::v
                 return room;
             }
             const std::vector<Vec3> targets =
-                arm_targets(mesh, extended.region.faces, arm, options.on_surface ? &surface : nullptr);
+                arm_targets(extended, arm, options.on_surface ? &surface : nullptr);
             for (int i = 1; i <= count; ++i) {
                 extended.targets[(after ? extended.last + i : extended.first - i + size) % size] = targets[i];
             }

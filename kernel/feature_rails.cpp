@@ -67,6 +67,7 @@ std::vector<int> FeatureRails::chain(int before, int at, double length) const
 {
     std::vector<int> vertices{before, at};
     length -= (position(at) - position(before)).norm();
+    // A closed rail is walked once.
     while (length > 0 && slides(at) && at != vertices.front()) {
         const int onward = next_[at].first == before ? next_[at].second : next_[at].first;
         length -= (position(onward) - position(at)).norm();
@@ -91,22 +92,42 @@ Vec3 FeatureRails::along(int v, double s) const
     return position(vertices.back());
 }
 
-Vec3 FeatureRails::nearest(int v, const Vec3& p, double most) const
+std::vector<RailPiece> FeatureRails::pieces(int v) const
 {
-    Vec3 best = position(v);
+    std::vector<RailPiece> pieces;
     for (const int first : empty() ? std::vector<int>{} : ends_[v]) {
-        const std::vector<int> vertices = chain(v, first, most);
-        double left = most;
-        for (size_t i = 1; i < vertices.size(); ++i) {
-            const Vec3 a = position(vertices[i - 1]), step = position(vertices[i]) - a;
-            const double length = step.norm();
-            const double t = length > 0 ? std::clamp(step.dot(p - a) / (length * length), 0.0, 1.0) : 0;
-            const Vec3 q = a + step * std::min(t, left / std::max(length, 1e-300));
-            if ((q - p).squaredNorm() < (best - p).squaredNorm()) {
-                best = q;
-            }
-            left = std::max(0.0, left - length);
+        pieces.emplace_back();
+        for (const int w : chain(v, first, std::numeric_limits<double>::infinity())) {
+            pieces.back().points.push_back(position(w));
         }
+    }
+    return pieces;
+}
+
+double RailPiece::length() const
+{
+    double sum = 0;
+    for (size_t i = 1; i < points.size(); ++i) {
+        sum += (points[i] - points[i - 1]).norm();
+    }
+    return sum;
+}
+
+RailFoot nearest_on(const RailPiece& piece, const Vec3& p, const Vec3& beyond)
+{
+    const auto across = [&](const Vec3& v) { return Vec3(v - beyond * beyond.dot(v)); };
+    RailFoot best{piece.points.front(), 0};
+    double least = across(best.point - p).norm(), arc = 0;
+    for (size_t i = 1; i < piece.points.size(); ++i) {
+        const Vec3 a = piece.points[i - 1], step = piece.points[i] - a, flat = across(step);
+        const double t = flat.squaredNorm() > 0 ? std::clamp(flat.dot(p - a) / flat.squaredNorm(), 0.0, 1.0) : 0;
+        const Vec3 q = a + t * step;
+        // The earliest of equally near places: a line seen end-on repeats none.
+        if (const double distance = across(q - p).norm(); distance < least * (1 - 1e-12)) {
+            least = distance;
+            best = {q, arc + t * step.norm()};
+        }
+        arc += step.norm();
     }
     return best;
 }

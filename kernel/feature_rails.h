@@ -13,6 +13,21 @@ namespace tapeline {
 /// Found as kernel/feature_lines.h does by default.
 std::vector<VertexPair> other_feature_edges(const Model& model, const std::vector<int>& line, bool closed);
 
+/// A stretch of a rail from one of its ends to the next, as a polyline.
+struct RailPiece {
+    std::vector<Vec3> points;
+    double length() const; ///< [mm]
+};
+
+/// A place on a rail's piece.
+struct RailFoot {
+    Vec3 point = Vec3::Zero();
+    double arc = 0; ///< from the piece's beginning [mm]
+};
+
+/// The point of the piece closest to p, or to the straight line through p along the unit vector `beyond` (not zero).
+RailFoot nearest_on(const RailPiece& piece, const Vec3& p, const Vec3& beyond = Vec3::Zero());
+
 /// Lines on a surface that its vertices must not leave: the other feature lines in a side, and open borders. A vertex on
 /// a rail may only move along it, so that the line stays where it is, however the surface slides.
 /// - A vertex with two rail edges that turn by at most 60° slides along both.
@@ -31,9 +46,8 @@ public:
     Vec3 tangent(int v) const;
     /// The place at arc length s [mm] from v along its rail, in the tangent's sense; the rail's end at most.
     Vec3 along(int v, double s) const;
-    /// Closest point to p on the rails that begin at `v` (a given vertex or a corner), no farther than `most` [mm] of arc
-    /// length; the vertex's own place where there is none.
-    Vec3 nearest(int v, const Vec3& p, double most) const;
+    /// The rails that begin at `v` (a given vertex or a corner), each up to its next corner, given vertex or end.
+    std::vector<RailPiece> pieces(int v) const;
 
 private:
     Vec3 position(int v) const { return mesh_->V.row(v); }

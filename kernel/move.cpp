@@ -69,7 +69,9 @@ Result<MoveResult> move_feature_line(const Model& model, const FeatureLine& line
                                      const Region& region, const MoveOptions& options, const Progress& progress)
 {
     MoveState state(model, region, options);
-    const auto placed = state.correspond_to(line, target).and_then([&] { return state.place(); });
+    const auto placed = state.correspond_to(line, target).and_then([&] { return state.place(); }).and_then([&] {
+        return state.carry_line(target);
+    });
     if (!placed) {
         return tl::unexpected(placed.error());
     }

@@ -3,6 +3,7 @@
 
 #include "kernel/border_slide.h"
 #include "kernel/feature_rails.h"
+#include "kernel/junctions.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -123,8 +124,20 @@ Result<void> MoveState::extend()
                 extended_.targets[i] = extended_.model.mesh.V.row(extended_.vertices[i]);
             }
         }
-        return {};
+        return retracts_on_rails() ? carry_extension(extended_) : Result<void>();
     });
+}
+
+Result<void> MoveState::carry_line(const TargetCurve& target)
+{
+    Correspondence& c = result_.correspondence;
+    if (!splits() || !retracts_on_rails()) {
+        return {};
+    }
+    std::vector<int> whole(c.before.rbegin(), c.before.rend());
+    whole.insert(whole.end(), c.line.vertices.begin(), c.line.vertices.end());
+    whole.insert(whole.end(), c.after.begin(), c.after.end());
+    return carry_junctions(model_.mesh, other_feature_edges(model_, whole, c.line.closed), target, c);
 }
 
 void MoveState::keep_whole()
@@ -142,8 +155,7 @@ void MoveState::keep_whole()
 Result<void> MoveState::split()
 {
     return timed("split", [&]() -> Result<void> {
-        auto parts = split_along(extended_, options_.clamp_rings,
-                                 other_feature_edges(extended_.model, extended_.vertices, extended_.closed));
+        auto parts = split_along(extended_, options_.clamp_rings);
         if (!parts) {
             return tl::unexpected(parts.error());
         }

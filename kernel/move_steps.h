@@ -19,6 +19,7 @@ public:
 
     Result<void> correspond_to(const FeatureLine& line, const TargetCurve& target); ///< Section 3.3
     Result<void> place();                                                           ///< step 1, Section 3.4
+    Result<void> carry_line(const TargetCurve& target); ///< takes junctions with other lines along
     Result<void> extend();                                                          ///< step 2, Section 5.1
     Result<void> split();                                                           ///< Section 5.2
     Result<void> deform_side(int side, const Progress& progress); ///< steps 3 and 5, Sections 5.3, 5.4
@@ -67,6 +68,7 @@ private:
     Result<void> check_plate_options() const;
     std::vector<int> tilting_vertices(const SideMesh& side) const;
     void take_free_extension(const SideState& side);
+    bool retracts_on_rails() const { return result_.retraction.mode == RetractionMode::harmonic; }
     bool compressed_somewhere(int side) const;
     Result<void> guide_borders();
     void report_crease();

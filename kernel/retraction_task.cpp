@@ -121,12 +121,20 @@ Vec3 RetractionTask::on_surface(size_t entry)
     const int v = side_.line[entry];
     const Vec3 wanted = position(v) + moves_[entry];
     const double size = moves_[entry].norm();
-    const Vec3 on_rail = rails_.nearest(v, wanted, 2 * size);
-    if (on_rail == position(v) || (on_rail - wanted).norm() > 0.5 * size) {
+    double least = 0.5 * size;
+    std::optional<Vec3> on_rail;
+    for (const RailPiece& piece : rails_.pieces(v)) {
+        const RailFoot foot = nearest_on(piece, wanted);
+        if (const double off = (foot.point - wanted).norm(); foot.arc > 0 && off < least) {
+            least = off;
+            on_rail = foot.point;
+        }
+    }
+    if (!on_rail) {
         return ground_.closest(wanted);
     }
-    moves_[entry] = on_rail - position(v);
-    return on_rail;
+    moves_[entry] = *on_rail - position(v);
+    return *on_rail;
 }
 
 void RetractionTask::place_guided(const std::vector<Vec3>& displacements)

@@ -180,8 +180,7 @@ std::vector<char> region_flags(const ExtendedLine& extended)
 
 } // namespace
 
-Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int clamp_rings,
-                                            const std::vector<VertexPair>& features)
+Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int clamp_rings)
 {
     const Mesh& mesh = extended.model.mesh;
     const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
@@ -233,7 +232,7 @@ Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int cl
             }
         }
         sides[s] = make_side(extended, topology, faces, in_region, clamp_rings);
-        take_features(sides[s], topology, features);
+        take_features(sides[s], topology, extended.features);
     }
     return sides;
 }

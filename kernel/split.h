@@ -31,9 +31,8 @@ struct SideMesh {
 
 /// Cuts the region along the extended line (Section 5.2) into its left [0] and right [1] part. Rejected when the cut
 /// does not separate them (a hole or a second opening in the region: its place is named), with the vertex at which
-/// both parts still meet. `features`: edges of other feature lines, ascending; each side gets those inside it.
-Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int clamp_rings = 1,
-                                            const std::vector<VertexPair>& features = {});
+/// both parts still meet.
+Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int clamp_rings = 1);
 
 /// The whole region uncut, for methods that do not split (off-surface moves, baselines); `line` holds L̂0.
 SideMesh whole_region(const ExtendedLine& extended, int clamp_rings = 1);
