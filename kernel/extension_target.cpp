@@ -202,8 +202,7 @@ Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::v
             if (auto room = check_room(mesh, arm); !room) {
                 return room;
             }
-            const std::vector<Vec3> targets =
-                arm_targets(extended, arm, options.on_surface ? &surface : nullptr);
+            const std::vector<Vec3> targets = arm_targets(extended, arm, options.on_surface ? &surface : nullptr);
             for (int i = 1; i <= count; ++i) {
                 extended.targets[(after ? extended.last + i : extended.first - i + size) % size] = targets[i];
             }

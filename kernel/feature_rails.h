@@ -54,7 +54,7 @@ private:
     std::vector<int> chain(int before, int at, double length) const;
 
     const Mesh* mesh_ = nullptr;
-    std::vector<std::vector<int>> ends_;   ///< per vertex the other ends of its rail edges
+    std::vector<std::vector<int>> ends_;    ///< per vertex the other ends of its rail edges
     std::vector<std::pair<int, int>> next_; ///< per sliding vertex its neighbours against and along the tangent
     std::vector<char> corner_;
 };

@@ -14,7 +14,7 @@ namespace tapeline {
 namespace {
 
 constexpr double most_off = 0.5;   ///< share of a displacement by which a line may lie off its way
-constexpr double most_way = 0.95;  ///< share of a line's piece that a junction may run along
+constexpr double most_way = 0.85;   ///< share of a line's piece that a junction may run along
 constexpr double fade_length = 10; ///< per size of the correction
 
 /// The other lines as rails that begin at the vertices of the moving one.
@@ -90,8 +90,8 @@ Result<void> carry_junctions(const Mesh& mesh, const std::vector<VertexPair>& fe
     for (size_t k = 0; k < corrections.size(); ++k) {
         const auto& [at, shift] = corrections[k];
         const double before = k > 0 ? 0.5 * (arc[at] - arc[corrections[k - 1].first]) : arc[at];
-        const double after = k + 1 < corrections.size() ? 0.5 * (arc[corrections[k + 1].first] - arc[at])
-                                                        : arc.back() - arc[at];
+        const double after =
+            k + 1 < corrections.size() ? 0.5 * (arc[corrections[k + 1].first] - arc[at]) : arc.back() - arc[at];
         for (int i = 0; i < n; ++i) {
             const double room = i < at ? before : after, s = std::abs(arc[i] - arc[at]);
             const double left = i == at ? 1 : fade(s, std::min(room, fade_length * shift.norm()));

@@ -17,7 +17,7 @@ namespace tapeline {
 /// The correction fades out along the used line over ten times its size, or up to half-way to the next junction; vertices
 /// in between are laid back on Lt where it reaches. So the line still lies on Lt, but for what has to be added where Lt
 /// ends before the junction's line.
-/// Rejected when the way along the other line is longer than 95 % of the piece up to that line's end or next corner.
+/// Rejected when the way along the other line is longer than 85 % of the piece up to that line's end or next corner.
 Result<void> carry_junctions(const Mesh& mesh, const std::vector<VertexPair>& features, const TargetCurve& target,
                              Correspondence& correspondence);
 

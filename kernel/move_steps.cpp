@@ -2,7 +2,6 @@
 #include "kernel/move_steps.h"
 
 #include "kernel/border_slide.h"
-#include "kernel/feature_rails.h"
 #include "kernel/junctions.h"
 
 #include <Eigen/Eigenvalues>
@@ -95,7 +94,7 @@ Result<void> MoveState::place()
         stiffness_ratio_ = orthotropic ? options_.stiffness_ratio : 1;
         stiff_direction_ = stiff_direction(result_.correspondence.displacements, stiffness_ratio_);
         if (stiffness_ratio_ == 1 && orthotropic && options_.stiffness_ratio != 1 && placement.u_max_mm > 0) {
-            result_.warnings.push_back(
+            result_.warnings.emplace_back(
                 "the line's displacements have no common direction: an isotropic material is used");
         }
         return {};
@@ -128,18 +127,6 @@ Result<void> MoveState::extend()
     });
 }
 
-Result<void> MoveState::carry_line(const TargetCurve& target)
-{
-    Correspondence& c = result_.correspondence;
-    if (!splits() || !retracts_on_rails()) {
-        return {};
-    }
-    std::vector<int> whole(c.before.rbegin(), c.before.rend());
-    whole.insert(whole.end(), c.line.vertices.begin(), c.line.vertices.end());
-    whole.insert(whole.end(), c.after.begin(), c.after.end());
-    return carry_junctions(model_.mesh, other_feature_edges(model_, whole, c.line.closed), target, c);
-}
-
 void MoveState::keep_whole()
 {
     extended_.model = model_;
@@ -163,6 +150,7 @@ Result<void> MoveState::split()
             sides_[s].side = std::move((*parts)[s]);
             sides_[s].rest = sides_[s].V = sides_[s].side.mesh.V;
         }
+        warn_of_lines();
         return guide_borders();
     });
 }
@@ -224,28 +212,6 @@ Result<void> MoveState::solve_whole(const Progress& progress)
     });
 }
 
-bool MoveState::compressed_somewhere(int side) const
-{
-    const FeatureLine& line = result_.correspondence.line;
-    const Topology topology(model_.mesh.F, static_cast<int>(model_.mesh.V.rows()));
-    const size_t edges = line.vertices.size() - (line.closed ? 0 : 1);
-    for (size_t i = 0; i < edges; ++i) {
-        const size_t j = (i + 1) % line.vertices.size();
-        const int a = line.vertices[side == 0 ? i : j], b = line.vertices[side == 0 ? j : i];
-        const int t = topology.face_left_of(a, b);
-        if (t < 0) {
-            continue;
-        }
-        const Vec3 direction = (Vec3(model_.mesh.V.row(b)) - Vec3(model_.mesh.V.row(a))).normalized();
-        const Vec3 conormal = triangle_normal(model_.mesh, t).cross(direction);
-        const Vec3 u = 0.5 * (result_.correspondence.displacements[i] + result_.correspondence.displacements[j]);
-        if (u.dot(conormal) > 0.02 * result_.placement.u_max_mm) {
-            return true;
-        }
-    }
-    return false;
-}
-
 Result<void> MoveState::deform_side(int side, const Progress& progress)
 {
     const bool tense = side == tension();
@@ -276,43 +242,6 @@ void MoveState::take_free_extension(const SideState& side)
         if (is_free(extended_.targets[i])) {
             extended_.targets[i] = side.V.row(side.side.line[i]);
         }
-    }
-}
-
-Result<void> MoveState::retract_side(int side)
-{
-    return timed("retraction", [&]() -> Result<void> {
-        SideState& state = sides_[side];
-        std::vector<Vec3> displacements;
-        for (size_t i = 0; i < state.side.line.size(); ++i) {
-            const Vec3 u = extended_.targets[i] - Vec3(state.side.mesh.V.row(state.side.line[i]));
-            displacements.push_back(is_free(u) ? Vec3(Vec3::Zero()) : u);
-        }
-        RetractionOptions options;
-        options.mode = result_.retraction.mode;
-        options.active_radius_mm = options_.active_radius_mm;
-        options.material = material_for(result_.correspondence.displacements);
-        auto slid = retract(state.side, displacements, options);
-        if (!slid) {
-            return tl::unexpected(slid.error());
-        }
-        RetractionReport& report = result_.retraction;
-        report.applied = true;
-        report.min_area_ratio = std::min(report.min_area_ratio, slid->min_area_ratio);
-        report.flipped += slid->flipped;
-        report.crossings += slid->crossings;
-        warn_of_folds(*slid);
-        state.rest = state.V = std::move(slid->V);
-        return {};
-    });
-}
-
-void MoveState::warn_of_folds(const RetractionResult& retraction)
-{
-    if (retraction.flipped > 0) {
-        result_.warnings.push_back(fmt::format("the retraction folded {} triangles over: the slide is too long for the "
-                                               "region, widen it (--roi-distance) or shorten the slide",
-                                               retraction.flipped));
     }
 }
 

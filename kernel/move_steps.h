@@ -70,6 +70,7 @@ private:
     void take_free_extension(const SideState& side);
     bool retracts_on_rails() const { return result_.retraction.mode == RetractionMode::harmonic; }
     bool compressed_somewhere(int side) const;
+    void warn_of_lines();
     Result<void> guide_borders();
     void report_crease();
     Result<void> bend_side(int side, const std::vector<double>& wanted);

@@ -2,6 +2,7 @@
 #include "kernel/region.h"
 
 #include "kernel/closest_point.h"
+#include "kernel/feature_rails.h"
 #include "kernel/geodesic_distance.h"
 #include "kernel/parallel.h"
 #include "kernel/region_check.h"
@@ -20,7 +21,9 @@ namespace {
 constexpr double room_for_slide = 3;     ///< automatic width per largest displacement
 constexpr double room_for_length = 0.35; ///< automatic width per line length (closed: per its length / π)
 constexpr double narrowest = 1.5;        ///< automatic width is never narrowed below this many displacements
-constexpr double squeezed = 1.5;         ///< given widths below this many displacements are warned about
+constexpr double room_before_line =
+    2;                           ///< displacements between the target and another feature line that ends the region
+constexpr double squeezed = 1.5; ///< given widths below this many displacements are warned about
 
 /// The triangles that a way of choosing picked, not yet checked.
 struct Choice {
@@ -56,12 +59,33 @@ std::vector<double> band_distance(const Request& r)
     return geodesic_distance(r.model.mesh, r.topology, seeds);
 }
 
-FaceSet within(const Request& r, const std::vector<double>& distance, double width)
+/// Edges of other feature lines that leave room enough before them: an automatic region ends there, so that those
+/// lines stay as they are. One flag per edge; empty when there are none.
+std::vector<char> lines_that_bound(const Request& r, const std::vector<double>& distance, double room)
+{
+    std::vector<int> own(r.line.before.rbegin(), r.line.before.rend());
+    own.insert(own.end(), r.line.vertices.begin(), r.line.vertices.end());
+    own.insert(own.end(), r.line.after.begin(), r.line.after.end());
+    std::vector<char> bounds;
+    for (const VertexPair& edge : other_feature_edges(r.model, own, r.line.closed)) {
+        if (std::min(distance[edge[0]], distance[edge[1]]) >= room) {
+            bounds.resize(r.topology.edge_count(), 0);
+            bounds[r.topology.find_edge(edge[0], edge[1])] = 1;
+        }
+    }
+    return bounds;
+}
+
+FaceSet within(const Request& r, const std::vector<double>& distance, double width,
+               const std::vector<char>& bounds = {})
 {
     FaceSet inside(r.topology.face_count(), 0);
     for (int t = 0; t < r.topology.face_count(); ++t) {
         const auto corner = [&](int k) { return distance[r.model.mesh.F(t, k)] <= width; };
         inside[t] = corner(0) && corner(1) && corner(2);
+    }
+    if (!bounds.empty()) {
+        inside = connected_part(r.topology, inside, r.beside_line, bounds);
     }
     return tidy(r.model.mesh, r.topology, std::move(inside), r.beside_line);
 }
@@ -87,6 +111,13 @@ Choice choose_by_distance(const Request& r)
                 "to {:.0f} % of their width",
                 choice.distance_mm, r.largest_move, 100 * choice.distance_mm / (choice.distance_mm + r.largest_move)));
         }
+        return choice;
+    }
+    const std::vector<char> bounds =
+        lines_that_bound(r, distance, std::max(room_before_line * r.largest_move, 3 * r.line.length_mm / edges));
+    if (FaceSet bounded = bounds.empty() ? FaceSet{} : within(r, distance, choice.distance_mm, bounds);
+        !bounded.empty() && simple(bounded)) {
+        choice.inside = std::move(bounded);
         return choice;
     }
     // A band that closes round the model or takes in holes cannot be cut into two sides: try narrower ones.

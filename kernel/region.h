@@ -34,7 +34,8 @@ struct RegionOptions {
 /// Chooses the region around `line` for moving it to the points `targets` (one per line vertex, or empty). At most
 /// one of distance_mm, cad_faces, bounding_lines, box may be given. Keeps only the edge-connected part that holds the
 /// line. A band holds the triangles whose three corners are within its width (kernel/geodesic_distance.h); bands and
-/// boxes are then tidied (kernel/region_shape.h). A line may end on the rim or on an open border, but not touch either
+/// boxes are then tidied (kernel/region_shape.h). A band of automatic width ends at other feature lines that leave twice
+/// the largest displacement before them; those become its rim. A line may end on the rim or on an open border, but not touch either
 /// in between. A region that is not a disk around the line (or a ring around a closed one) is only warned about.
 /// Rejected when the region does not hold the line's edges, the line runs on the rim or a border, the targets start
 /// farther away than the width or cross the rim, or when a non-manifold edge or zero-area triangle is inside (the place is named). Usage error when the options contradict each other.

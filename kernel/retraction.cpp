@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/retraction.h"
 
+#include "kernel/feature_lines.h"
 #include "kernel/retraction_steps.h"
 
+#include <algorithm>
 #include <exception>
 #include <fmt/format.h>
+#include <iterator>
+#include <memory>
 
 namespace tapeline {
 
 namespace {
+
+/// Feature lines at least this sharp stay even where the target crosses one [deg].
+constexpr double sharp_angle = 30;
 
 std::optional<Error> refusal(const SideMesh& side, const std::vector<Vec3>& displacements)
 {
@@ -37,6 +44,28 @@ std::optional<Error> refusal(const SideMesh& side, const std::vector<Vec3>& disp
     return {};
 }
 
+/// The side's feature edges that nothing may be dragged over.
+std::vector<VertexPair> sharp_features(const SideMesh& side)
+{
+    const Topology topology(side.mesh.F, static_cast<int>(side.mesh.V.rows()));
+    std::vector<VertexPair> sharp;
+    std::ranges::copy_if(side.features, std::back_inserter(sharp), [&](const VertexPair& edge) {
+        return crease_angle(side.mesh, topology, topology.find_edge(edge[0], edge[1])) >= sharp_angle;
+    });
+    return sharp;
+}
+
+Error crossing(const SideMesh& side, const std::vector<Vec3>& displacements, int entry)
+{
+    const int v = side.line[entry];
+    const Vec3 p = side.mesh.V.row(v), q = p + displacements[entry];
+    return {ErrorKind::rejected,
+            fmt::format("the target crosses another feature line on the way of {:.4g} mm from ({:.6g}, {:.6g}, {:.6g}) "
+                        "to ({:.6g}, {:.6g}, {:.6g}) mm: slide less there, or choose the target on the near side of "
+                        "that line",
+                        displacements[entry].norm(), p.x(), p.y(), p.z(), q.x(), q.y(), q.z())};
+}
+
 } // namespace
 
 Result<RetractionResult> retract(const SideMesh& side, const std::vector<Vec3>& displacements,
@@ -46,26 +75,37 @@ Result<RetractionResult> retract(const SideMesh& side, const std::vector<Vec3>& 
         if (const auto error = refusal(side, displacements)) {
             return tl::unexpected(*error);
         }
-        const RetractionTask task(side, displacements, options.mode == RetractionMode::harmonic);
+        const bool on_rails = options.mode == RetractionMode::harmonic;
+        auto task = std::make_unique<RetractionTask>(side, displacements, side.features, on_rails);
+        if (task->crossed() >= 0) {
+            // Soft lines give way where the target crosses another one; sharp ones cannot.
+            task = std::make_unique<RetractionTask>(side, displacements, sharp_features(side), on_rails);
+        }
+        if (const int entry = task->crossed(); entry >= 0) {
+            return tl::unexpected(crossing(side, displacements, entry));
+        }
         RetractionResult result;
         switch (options.mode) {
         case RetractionMode::harmonic:
-            result.V = retract_harmonic(task, options.material);
+            result.V = retract_harmonic(*task, options.material);
             break;
         case RetractionMode::planes:
-            result.V = retract_planes(task, result.crossings);
+            result.V = retract_planes(*task, result.crossings);
             break;
         case RetractionMode::sequential:
-            result.V = retract_sequentially(task, options.active_radius_mm);
+            result.V = retract_sequentially(*task, options.active_radius_mm);
             break;
         }
         if (!result.V.allFinite()) {
             return fail(ErrorKind::rejected, "the retraction gave positions that are not numbers: the side's triangles "
                                              "are too thin, remesh the region (--max-edge)");
         }
-        const FoldReport folds = find_folds(task.inner(), result.V);
+        const FoldReport folds = find_folds(task->inner(), result.V);
         result.min_area_ratio = folds.min_area_ratio;
         result.flipped = static_cast<int>(folds.flipped.size());
+        if (const int worst = folds.flipped.empty() ? folds.smallest : folds.flipped.front(); worst >= 0) {
+            result.worst_at = task->inner().V.row(task->inner().F(worst, 0));
+        }
         return result;
     } catch (const std::exception& e) {
         return fail(ErrorKind::rejected, fmt::format("the retraction failed: {}", e.what()));
@@ -77,7 +117,10 @@ FoldReport find_folds(const Mesh& inner, const Positions& V)
     const Mesh slid{V, inner.F};
     FoldReport report;
     for (int t = 0; t < inner.F.rows(); ++t) {
-        report.min_area_ratio = std::min(report.min_area_ratio, triangle_area(slid, t) / triangle_area(inner, t));
+        if (const double ratio = triangle_area(slid, t) / triangle_area(inner, t); ratio < report.min_area_ratio) {
+            report.min_area_ratio = ratio;
+            report.smallest = t;
+        }
         if (triangle_normal(slid, t).dot(triangle_normal(inner, t)) < 0) {
             report.flipped.push_back(t);
         }

@@ -23,10 +23,11 @@ struct RetractionOptions {
 };
 
 struct RetractionResult {
-    Positions V;               ///< slid positions of all local vertices, each on the side's original surface
-    double min_area_ratio = 1; ///< smallest triangle area after / before
-    int flipped = 0;           ///< triangles whose normal turned by more than 90°
-    int crossings = 0;         ///< `planes`: pairs of neighbouring section curves C_P that cross (hypothesis (H))
+    Positions V;                  ///< slid positions of all local vertices, each on the side's original surface
+    double min_area_ratio = 1;    ///< smallest triangle area after / before
+    int flipped = 0;              ///< triangles whose normal turned by more than 90°
+    int crossings = 0;            ///< `planes`: pairs of neighbouring section curves C_P that cross (hypothesis (H))
+    Vec3 worst_at = Vec3::Zero(); ///< a rest place of a flipped triangle, or of the one with the smallest ratio [mm]
 };
 
 /// Slides the compressed side's vertices along its own surface so that its material makes room for the line
@@ -40,6 +41,12 @@ struct RetractionResult {
 /// vertices go to their own targets, in the proportion in which the nearer end of the line follows its displacement.
 /// Free borders keep their shape; from where the line ends on one, its vertices slide along it in proportion to arc
 /// length.
+///
+/// Other feature lines (side.features), `harmonic` only: they stay, and so do free borders that the line does not reach,
+/// as those of a hole. Their vertices slide along them in the same harmonic solve, corners and junctions stay, and all
+/// other vertices stay in their own smooth part of the side. A feature line that leaves L0 in the displacement's
+/// direction takes the vertex they share along. Where the target crosses another line, lines under 30° are dragged along
+/// like plain surface; crossing a sharper one is rejected.
 ///
 /// `harmonic`: the displacement is the orthotropic harmonic extension of those values (zero on the rim), in components
 /// of frames that are carried over the side in parallel, so that it follows a side that bends round (on a flat side:

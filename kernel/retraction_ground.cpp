@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <numbers>
+#include <numeric>
 
 namespace tapeline {
 
@@ -104,6 +104,12 @@ Vec3 RetractionGround::closest(const Vec3& p) const
         best = foot.face >= 0 && foot.distance < best.distance ? foot : best;
     }
     return best.face >= 0 ? best.point : p;
+}
+
+double RetractionGround::distance_in_part(int v, const Vec3& p) const
+{
+    const auto faces = topology_.vertex_faces(local_[v]);
+    return faces.empty() ? 0 : trees_[part_[faces.front()]].closest(p).distance;
 }
 
 Vec3 RetractionGround::normal_at(int face, const Vec3& barycentric) const

@@ -20,6 +20,9 @@ public:
     /// The surface point closest to p, in any part.
     Vec3 closest(const Vec3& p) const;
 
+    /// Distance of p to the smooth part that vertex v (not beside a wall) lies in [mm].
+    double distance_in_part(int v, const Vec3& p) const;
+
     /// The tangent vector at vertex v along which the straightest path ends at `goal` (by shooting); u itself, the way to
     /// the goal in space, where no such path is found [mm].
     Vec3 arc_to(int v, const Vec3& u, const Vec3& goal) const;
@@ -42,8 +45,8 @@ private:
     Mesh mesh_; ///< vertices beside walls have a copy for each part
     Topology topology_;
     Positions normals_;
-    std::vector<int> local_; ///< vertex of the side -> a copy of it here
-    std::vector<int> part_;  ///< per triangle
+    std::vector<int> local_;          ///< vertex of the side -> a copy of it here
+    std::vector<int> part_;           ///< per triangle
     std::vector<ClosestPoint> trees_; ///< per part
 };
 

@@ -18,7 +18,7 @@ using Frames = std::vector<Eigen::Matrix3d>;
 
 /// Unknowns per vertex: the three components of a vector, or one, the share along its rail.
 struct Unknowns {
-    std::vector<int> first; ///< of each vertex, and at last the number of all
+    std::vector<int> first;             ///< of each vertex, and at last the number of all
     std::vector<Eigen::MatrixXd> basis; ///< 3×3 or 3×1, in the components of the vertex's frame
 
     Unknowns(const RetractionTask& task, const Frames& frames)

@@ -15,10 +15,11 @@ namespace tapeline {
 /// The parts that all ways of retracting share; not for use outside retraction*.cpp.
 class RetractionTask {
 public:
-    /// `displacements` has one entry per entry of side.line. `on_rails`: the other feature lines in the side and its free
-    /// borders stay where they are, their vertices slide along them; otherwise the side counts as smooth all over, and
-    /// the vertices of free borders that the line does not reach stay.
-    RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements, bool on_rails);
+    /// `displacements` has one entry per entry of side.line. `on_rails`: the other feature lines in the side (`features`,
+    /// ascending) and its free borders stay where they are, their vertices slide along them; otherwise the side counts
+    /// as smooth all over, and the vertices of free borders that the line does not reach stay.
+    RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements,
+                   const std::vector<VertexPair>& features, bool on_rails);
     RetractionTask(const RetractionTask&) = delete;
     RetractionTask& operator=(const RetractionTask&) = delete;
 
@@ -53,6 +54,10 @@ public:
     /// The other feature lines and free borders in the side, along which their vertices slide.
     const FeatureRails& rails() const { return rails_; }
 
+    /// The entry whose way leads farthest over another feature line, into a part of the side that the line does not
+    /// bound; -1 = none does.
+    int crossed() const { return crossed_; }
+
     /// The place for vertex v that moves by `u` in space, or by the tangent vector `arc` along the surface: along its
     /// rail, where it is on one, else on the ground.
     Vec3 place(int v, const Vec3& u, const Vec3& arc) const
@@ -78,6 +83,8 @@ private:
     RetractionGround ground_;
     FeatureRails rails_;
     bool closed_ = false;
+    int crossed_ = -1;
+    double crossed_by_ = 0;
     std::vector<int> entry_;
     std::vector<char> free_;
     std::vector<Vec3> moves_, arcs_;
@@ -87,6 +94,7 @@ private:
 /// What became of the side's triangles.
 struct FoldReport {
     double min_area_ratio = 1;
+    int smallest = -1;        ///< the triangle with that ratio
     std::vector<int> flipped; ///< triangles whose normal turned by more than 90°
 };
 

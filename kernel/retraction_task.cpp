@@ -14,6 +14,10 @@ namespace {
 /// Share of the largest displacement over which a line that leaves the side stops dragging material along.
 constexpr double fade_width = 0.1;
 
+/// A target lies beyond another feature line when the part of the side beside the line ends this share of the
+/// displacement before it.
+constexpr double crossing_share = 0.05;
+
 Mesh inner_mesh(const SideMesh& side) { return {side.mesh.V, side.mesh.F.topRows(side.inner_faces)}; }
 
 /// Unit vector in the plane of triangle t, orthogonal to its edge a-b, pointing into the triangle.
@@ -27,10 +31,11 @@ Vec3 conormal(const Mesh& mesh, int t, int a, int b)
 
 } // namespace
 
-RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements, bool on_rails)
+RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements,
+                               const std::vector<VertexPair>& features, bool on_rails)
     : side_(side), inner_(inner_mesh(side)), topology_(inner_.F, static_cast<int>(inner_.V.rows())),
-      walls_(on_rails ? side.features : std::vector<VertexPair>{}), ground_(inner_, walls_),
-      entry_(inner_.V.rows(), -1), free_(inner_.V.rows(), 1), normals_(vertex_normals(inner_)), start_(inner_.V)
+      walls_(on_rails ? features : std::vector<VertexPair>{}), ground_(inner_, walls_), entry_(inner_.V.rows(), -1),
+      free_(inner_.V.rows(), 1), normals_(vertex_normals(inner_)), start_(inner_.V)
 {
     for (size_t i = 0; i < side.line.size(); ++i) {
         entry_[side.line[i]] = static_cast<int>(i);
@@ -131,7 +136,14 @@ Vec3 RetractionTask::on_surface(size_t entry)
         }
     }
     if (!on_rail) {
-        return ground_.closest(wanted);
+        const Vec3 place = ground_.closest(wanted);
+        const double over =
+            rails_.pieces(v).empty() ? ground_.distance_in_part(v, wanted) - (place - wanted).norm() : 0;
+        if (over > std::max(crossed_by_, crossing_share * size)) {
+            crossed_by_ = over;
+            crossed_ = static_cast<int>(entry);
+        }
+        return place;
     }
     moves_[entry] = *on_rail - position(v);
     return *on_rail;

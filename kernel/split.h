@@ -22,10 +22,10 @@ struct SideMesh {
     std::vector<int> to_global;    ///< local vertex -> vertex of the extended model
     std::vector<int> global_faces; ///< local triangle -> triangle of the extended model
     std::vector<int> line;         ///< local indices along L̂0, in the line's order (closed: not repeated)
-    std::vector<int> fixed;  ///< local indices of immobile vertices (rim, inner constraints, clamp rings), ascending,
-                             ///< without the vertices of `line`
+    std::vector<int> fixed; ///< local indices of immobile vertices (rim, inner constraints, clamp rings), ascending,
+                            ///< without the vertices of `line`
     std::vector<VertexPair> features; ///< local edges inside the side that belong to other feature lines, ascending
-    std::vector<int> guided; ///< local border vertices that make room for a line end sliding along the border
+    std::vector<int> guided;          ///< local border vertices that make room for a line end sliding along the border
     std::vector<Vec3> guided_targets; ///< where each of them goes; see border_slide.h
 };
 

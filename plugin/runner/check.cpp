@@ -8,6 +8,7 @@
 #include "kernel/placement.h"
 #include "plugin/runner/guard.h"
 #include "plugin/runner/json_text.h"
+#include "plugin/runner/line_sides.h"
 #include "plugin/runner/move_record.h"
 #include "plugin/runner/preparation.h"
 #include "plugin/runner/rest_match.h"
@@ -211,6 +212,8 @@ private:
     {
         Correspondence map;
         map.line = line_;
+        map.before = line_.before;
+        map.after = line_.after;
         for (const int v : line_.vertices) {
             map.targets.emplace_back(after_->model.mesh.V.row(v));
             map.displacements.emplace_back(after_->model.mesh.V.row(v) - rest_.mesh.V.row(v));

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/runner/line_sides.h"
+
+#include "kernel/closest_point.h"
+#include "kernel/extension.h"
+#include "kernel/quality.h"
+#include "kernel/split.h"
+
+namespace tapeline {
+
+std::pair<std::vector<int>, std::vector<int>> sides_by_extension(const Model& model, const std::vector<int>& faces,
+                                                                 const Correspondence& line)
+{
+    ExtensionOptions options;
+    // Only the way counts here, not where it goes.
+    options.target = ExtensionTarget::free;
+    const auto extended = extend_line(model, region_of_faces(model, faces, false, {}), line, options);
+    const auto parts = extended ? split_along(*extended, 0) : tl::unexpected(extended.error());
+    if (!parts) {
+        return sides_of_line(model.mesh, faces, line.line.vertices, line.line.closed);
+    }
+    const Mesh& cut = extended->model.mesh;
+    const auto before = static_cast<int>(model.mesh.F.rows());
+    const ClosestPoint surface(model.mesh, faces);
+    std::vector<double> left_more(before, 0);
+    for (int s = 0; s < 2; ++s) {
+        for (int i = 0; i < (*parts)[s].inner_faces; ++i) {
+            const int t = (*parts)[s].global_faces[i];
+            const Vec3 centre = (cut.V.row(cut.F(t, 0)) + cut.V.row(cut.F(t, 1)) + cut.V.row(cut.F(t, 2))) / 3;
+            const bool whole = t < before && cut.F.row(t) == model.mesh.F.row(t);
+            const int parent = whole ? t : surface.closest(centre).face;
+            if (parent >= 0) {
+                left_more[parent] += (s == 0 ? 1 : -1) * triangle_area(cut, t);
+            }
+        }
+    }
+    std::pair<std::vector<int>, std::vector<int>> sides;
+    for (const int t : faces) {
+        (left_more[t] > 0 ? sides.first : sides.second).push_back(t);
+    }
+    return sides;
+}
+
+} // namespace tapeline
