@@ -6,7 +6,38 @@
 #include "kernel/quality.h"
 #include "kernel/split.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace tapeline {
+
+namespace {
+
+/// The line with what its feature line goes on with beyond both ends, which its prolongation follows first.
+Correspondence with_rest(const Model& model, Correspondence line)
+{
+    const std::vector<int>& used = line.line.vertices;
+    if (line.line.closed || !line.before.empty() || !line.after.empty()) {
+        return line;
+    }
+    for (const FeatureLine& whole : find_feature_lines(model)) {
+        std::vector<int> vertices = whole.vertices;
+        for (const bool turned : {false, true}) {
+            const auto at = std::ranges::search(vertices, used);
+            if (!at.empty() && !whole.closed) {
+                line.before.assign(std::make_reverse_iterator(at.begin()), vertices.rend());
+                line.after.assign(at.end(), vertices.end());
+                return line;
+            }
+            if (!turned) {
+                std::ranges::reverse(vertices);
+            }
+        }
+    }
+    return line;
+}
+
+} // namespace
 
 std::pair<std::vector<int>, std::vector<int>> sides_by_extension(const Model& model, const std::vector<int>& faces,
                                                                  const Correspondence& line)
@@ -14,7 +45,7 @@ std::pair<std::vector<int>, std::vector<int>> sides_by_extension(const Model& mo
     ExtensionOptions options;
     // Only the way counts here, not where it goes.
     options.target = ExtensionTarget::free;
-    const auto extended = extend_line(model, region_of_faces(model, faces, false, {}), line, options);
+    const auto extended = extend_line(model, region_of_faces(model, faces, false, {}), with_rest(model, line), options);
     const auto parts = extended ? split_along(*extended, 0) : tl::unexpected(extended.error());
     if (!parts) {
         return sides_of_line(model.mesh, faces, line.line.vertices, line.line.closed);

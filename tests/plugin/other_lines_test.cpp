@@ -41,9 +41,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Slide{"FandiskCornerToCornerOnTheNarrowSide", "fandisk_pmp.off", "1", "0.06,0.06,0.06", "0.5"},
                       Slide{"RookCircle", "rook.stl", "3", "0.25", "0.6"},
                       Slide{"RookCircleTheOtherWay", "rook.stl", "3", "-0.25", "0.6"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& slide) { return slide.param.name; });
 
-TEST(SlideBesideLines, RefusesAnEndThatWouldSlidePastTheNeighbouringLine)
+TEST(SlideToACorner, RefusesAnEndThatWouldSlidePastTheNeighbouringLine)
 {
     const auto data = data_folder();
     if (!data) {
