@@ -44,7 +44,7 @@ Result<void> MoveState::restore_lost_crease(const Progress& progress)
             changed.push_back(std::abs(wanted[i] - found[i]));
         }
         result_.crease.lost_before_restoration = mean_along(rest, line, changed);
-        if (method_.deformer == Deformer::plate) {
+        if (deformer_ == Deformer::plate) {
             return {}; // the plate was asked beforehand what becomes of the crease
         }
         const bool gone = mean_along(rest, line, kept) < options_.crease_loss * mean_along(rest, line, sizes(wanted));

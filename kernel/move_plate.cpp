@@ -9,7 +9,17 @@ namespace tapeline {
 
 bool MoveState::keeps_crease() const
 {
-    return method_.deformer == Deformer::plate && options_.line_crease == LineCrease::keep;
+    return deformer_ == Deformer::plate &&
+           (options_.line_crease == LineCrease::keep || options_.crease == CreaseRestoration::on);
+}
+
+Deformer MoveState::deformer_for_target() const
+{
+    // Stiff fibres carry the pull of a side's stretched parts into its compressed ones, which lie at their place after
+    // the retraction; a plate does not. The paper leaves such targets open (Section 7).
+    constexpr double clear = 0.2;
+    const bool zigzag = splits() && runs_into(0, clear) && runs_into(1, clear);
+    return options_.method == Method::asan_fl && zigzag ? Deformer::plate : method_.deformer;
 }
 
 Result<void> MoveState::check_plate_options() const
@@ -23,9 +33,6 @@ Result<void> MoveState::check_plate_options() const
     if (!plate && options_.line_crease == LineCrease::keep) {
         return fail(ErrorKind::usage,
                     fmt::format("--crease keep belongs to plate-fl; {} has --restore-crease on", method_.name));
-    }
-    if (plate && options_.crease == CreaseRestoration::on) {
-        return fail(ErrorKind::usage, "plate-fl keeps the crease with --crease keep, not with --restore-crease");
     }
     if (keeps_crease() && result_.extension_target == ExtensionTarget::free) {
         return fail(ErrorKind::usage, "--crease keep needs the line's prolongation to have a target: leave "

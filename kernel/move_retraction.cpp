@@ -41,7 +41,7 @@ void MoveState::warn_of_lines()
     }
 }
 
-bool MoveState::compressed_somewhere(int side) const
+bool MoveState::runs_into(int side, double share) const
 {
     const FeatureLine& line = result_.correspondence.line;
     const Topology topology(model_.mesh.F, static_cast<int>(model_.mesh.V.rows()));
@@ -56,7 +56,7 @@ bool MoveState::compressed_somewhere(int side) const
         const Vec3 direction = (Vec3(model_.mesh.V.row(b)) - Vec3(model_.mesh.V.row(a))).normalized();
         const Vec3 conormal = triangle_normal(model_.mesh, t).cross(direction);
         const Vec3 u = 0.5 * (result_.correspondence.displacements[i] + result_.correspondence.displacements[j]);
-        if (u.dot(conormal) > 0.02 * result_.placement.u_max_mm) {
+        if (u.dot(conormal) > share * result_.placement.u_max_mm) {
             return true;
         }
     }

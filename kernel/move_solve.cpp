@@ -88,7 +88,7 @@ Result<DeformationResult> MoveState::deform_by_method(const SideState& side, con
 {
     const Mesh rest{side.rest, side.side.mesh.F};
     const auto [vertices, targets] = constraints(side, line_targets);
-    switch (method_.deformer) {
+    switch (deformer_) {
     case Deformer::spokes:
         return deform_spokes(rest, vertices, targets, options, start, progress);
     case Deformer::rings: {

@@ -80,6 +80,8 @@ Result<void> MoveState::correspond_to(const FeatureLine& line, const TargetCurve
     });
 }
 
+void MoveState::warn(std::string_view text) { result_.warnings.emplace_back(text); }
+
 Result<void> MoveState::place()
 {
     return timed("placement", [&]() -> Result<void> {
@@ -90,12 +92,15 @@ Result<void> MoveState::place()
         placement = decide_placement(model_.mesh, result_.region, result_.correspondence);
         placement.verdict = options_.placement.value_or(placement.verdict);
         placement.compressed = options_.compressed_side.value_or(placement.compressed);
+        deformer_ = deformer_for_target();
+        if (deformer_ != method_.deformer) {
+            warn("the target swings to both sides of the line: both sides bend as thin plates");
+        }
         const bool orthotropic = method_.deformer != Deformer::spokes_and_rims;
         stiffness_ratio_ = orthotropic ? options_.stiffness_ratio : 1;
         stiff_direction_ = stiff_direction(result_.correspondence.displacements, stiffness_ratio_);
         if (stiffness_ratio_ == 1 && orthotropic && options_.stiffness_ratio != 1 && placement.u_max_mm > 0) {
-            result_.warnings.emplace_back(
-                "the line's displacements have no common direction: an isotropic material is used");
+            warn("the line's displacements have no common direction: an isotropic material is used");
         }
         return {};
     });
@@ -216,7 +221,7 @@ Result<void> MoveState::deform_side(int side, const Progress& progress)
 {
     const bool tense = side == tension();
     // A zigzag target compresses the tension side in places; it is retracted there (method.md A5).
-    if (tense && !method_.as_published && compressed_somewhere(side)) {
+    if (tense && !method_.as_published && runs_into(side, 0.02)) {
         if (auto done = retract_side(side); !done) {
             return done;
         }

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tapeline {
@@ -69,11 +70,15 @@ private:
     std::vector<int> tilting_vertices(const SideMesh& side) const;
     void take_free_extension(const SideState& side);
     bool retracts_on_rails() const { return result_.retraction.mode == RetractionMode::harmonic; }
-    bool compressed_somewhere(int side) const;
     void warn_of_lines();
+    /// Whether the line moves into that side by more than a share of the largest displacement anywhere.
+    bool runs_into(int side, double share) const;
+    /// The method's own solver; for asan-fl on a target that swings to both sides, the thin plate.
+    Deformer deformer_for_target() const;
     Result<void> guide_borders();
     void report_crease();
     Result<void> bend_side(int side, const std::vector<double>& wanted);
+    void warn(std::string_view text);
     void warn_of_folds(const RetractionResult& retraction);
     template <class Step>
     Result<void> timed(const std::string& stage, const Step& step);
@@ -81,6 +86,7 @@ private:
     const Model& model_;
     const MoveOptions& options_;
     const MethodInfo& method_;
+    Deformer deformer_ = Deformer::orthotropic; ///< decided by `place`
     ExtendedLine extended_;
     std::array<SideState, 2> sides_;
     SideState whole_;
