@@ -164,10 +164,11 @@ Page make_page(const Job& job, const Comparison& c, const std::vector<int>& orde
     page.facts = job_facts(job, c.preparation, with_result);
     page.warnings = c.warnings;
     page.notes = reading_notes();
-    page.notes.push_back(fmt::format("Methods that keep all limits come first; then they are ranked by bulge, where "
-                                     "less than 1 % of the slide is no difference, "
-                                     "then by flips, new inflections and the bulge itself. Time: {} thread{} a method.",
-                                     c.threads_per_method, c.threads_per_method == 1 ? "" : "s"));
+    page.notes.push_back(
+        fmt::format("Methods that keep all limits come first; then they are ranked by flips, by bulge, "
+                    "where less than 0.1 % of the slide is no difference, by new inflections and by "
+                    "squash. Time: {} thread{} a method.",
+                    c.threads_per_method, c.threads_per_method == 1 ? "" : "s"));
     page.target = &c.preparation.target->line;
     page.footer = fmt::format("tapeline {}, input SHA-256 {}", version(), c.input_sha256);
     return page;

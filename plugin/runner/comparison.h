@@ -49,9 +49,9 @@ Job method_job(const Job& job, const std::string& method);
 /// prepared and a cancelled one fail. Results do not depend on the number of threads.
 Result<Comparison> compare_methods(const Job& job, const Progress& progress = {});
 
-/// Sound runs from best to worst: those that keep the job's limits first; then on-surface moves by bulge, where bulges within 1 % of the slide of the least one
-/// count as equal, then by flipped triangles, new inflections on both sides, and at last by the bulge itself; others by
-/// flipped triangles, new inflections and changed curvature signs. Equal ones keep their order.
+/// Sound runs from best to worst: those that keep the job's limits first; then by flipped triangles; then on-surface
+/// moves by bulge, where bulges within 0.1 % of the slide of the least one count as equal, by new inflections on both
+/// sides and by squash, others by new inflections and changed curvature signs. Equal ones keep their order.
 std::vector<int> rank_runs(const std::vector<MethodRun>& runs);
 
 /// Who wins and by what, in one or two sentences.

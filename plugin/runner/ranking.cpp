@@ -14,7 +14,7 @@ namespace tapeline {
 namespace {
 
 /// Bulges that differ by less than this share of the slide are no difference.
-constexpr double equal_bulge = 0.01;
+constexpr double equal_bulge = 0.001;
 
 int new_inflections(const SectionMeasure& m) { return std::max(0, m.inflections_after - m.inflections_before); }
 
@@ -77,8 +77,8 @@ std::vector<int> rank_runs(const std::vector<MethodRun>& runs)
         const QualityReport& q = m.quality;
         const double bulge = m.has_compressed ? std::abs(q.bulge_max_mm) : 0;
         const bool near = !m.has_compressed || bulge <= least + equal_bulge * q.slide_max_mm;
-        return std::tuple(!keeps_limits(runs[k]), near ? 0 : bulge, q.flipped, new_inflections(q),
-                          m.has_compressed ? bulge : 0, q.gauss_sign_change);
+        return std::tuple(!keeps_limits(runs[k]), q.flipped, near ? 0 : bulge, new_inflections(q),
+                          m.has_compressed ? -q.squash : 0, q.gauss_sign_change);
     };
     std::vector<int> ranking;
     for (std::size_t k = 0; k < runs.size(); ++k) {
