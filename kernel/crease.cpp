@@ -31,6 +31,13 @@ struct LineEdge {
     double wanted = 0; ///< [rad]
 };
 
+/// What one edge asks of its apex: to lie in a plane, near a place, `height` away from the edge.
+struct Wish {
+    Vec3 place = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    double height = 0;
+};
+
 Vec3 row(const Positions& V, int v) { return V.row(v); }
 
 Vec3 normal_of(const Positions& V, const LineEdge& edge)
@@ -88,12 +95,39 @@ Result<std::vector<LineEdge>> used_edges(const SideMesh& side, int first, int la
 }
 
 /// The apex turned about its edge until the angle is the wanted one.
-CreaseWish wish_of(const Positions& V, const LineEdge& edge)
+Wish wish_of(const Positions& V, const LineEdge& edge)
 {
     const Vec3 a = row(V, edge.a), arm = row(V, edge.apex) - a;
     const Vec3 along = (row(V, edge.b) - a).normalized();
     const Eigen::AngleAxisd turn(missing_angle(V, edge), along);
     return {a + turn * arm, turn * normal_of(V, edge), (arm - along * along.dot(arm)).norm()};
+}
+
+/// One place for an apex with several edges: the mean of its wishes, moved as little as possible to where the edges'
+/// planes are met best, in the sense of least squares of the angles.
+Vec3 reconciled(const std::vector<Wish>& wishes)
+{
+    Vec3 mean = Vec3::Zero();
+    for (const Wish& wish : wishes) {
+        mean += wish.place / static_cast<double>(wishes.size());
+    }
+    double height = 0;
+    for (const Wish& wish : wishes) {
+        height = std::max(height, wish.height);
+    }
+    if (wishes.size() < 2 || !(height > 0)) {
+        return mean;
+    }
+    Eigen::MatrixXd N(wishes.size(), 3);
+    Eigen::VectorXd off(wishes.size());
+    for (size_t k = 0; k < wishes.size(); ++k) {
+        const double weight = height / std::max(wishes[k].height, 1e-3 * height);
+        N.row(static_cast<Eigen::Index>(k)) = weight * wishes[k].normal;
+        off[static_cast<Eigen::Index>(k)] = weight * wishes[k].normal.dot(wishes[k].place - mean);
+    }
+    Eigen::JacobiSVD<Eigen::MatrixXd> svd(N, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    svd.setThreshold(same_plane);
+    return mean + svd.solve(off);
 }
 
 /// Root mean square of what is missing, over the edges whose apex may move [deg].
@@ -113,7 +147,7 @@ double missing_rms(const Positions& V, const std::vector<LineEdge>& edges, const
 Result<DeformationResult> bend(const SideMesh& side, const Positions& V, const std::vector<LineEdge>& edges,
                                const std::vector<char>& held, const DeformationOptions& options)
 {
-    std::map<int, std::vector<CreaseWish>> wishes;
+    std::map<int, std::vector<Wish>> wishes;
     for (const LineEdge& edge : edges) {
         if (!held[edge.apex]) {
             wishes[edge.apex].push_back(wish_of(V, edge));
@@ -129,37 +163,12 @@ Result<DeformationResult> bend(const SideMesh& side, const Positions& V, const s
     for (size_t i = 0; i < constrained.size(); ++i) {
         const auto wish = wishes.find(constrained[i]);
         targets.row(static_cast<Eigen::Index>(i)) =
-            wish == wishes.end() ? row(V, constrained[i]) : reconcile(wish->second);
+            wish == wishes.end() ? row(V, constrained[i]) : reconciled(wish->second);
     }
     return deform(Mesh{V, side.mesh.F}, constrained, targets, options);
 }
 
 } // namespace
-
-Vec3 reconcile(const std::vector<CreaseWish>& wishes)
-{
-    Vec3 mean = Vec3::Zero();
-    for (const CreaseWish& wish : wishes) {
-        mean += wish.place / static_cast<double>(wishes.size());
-    }
-    double height = 0;
-    for (const CreaseWish& wish : wishes) {
-        height = std::max(height, wish.height);
-    }
-    if (wishes.size() < 2 || !(height > 0)) {
-        return mean;
-    }
-    Eigen::MatrixXd N(wishes.size(), 3);
-    Eigen::VectorXd off(wishes.size());
-    for (size_t k = 0; k < wishes.size(); ++k) {
-        const double weight = height / std::max(wishes[k].height, 1e-3 * height);
-        N.row(static_cast<Eigen::Index>(k)) = weight * wishes[k].normal;
-        off[static_cast<Eigen::Index>(k)] = weight * wishes[k].normal.dot(wishes[k].place - mean);
-    }
-    Eigen::JacobiSVD<Eigen::MatrixXd> svd(N, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    svd.setThreshold(same_plane);
-    return mean + svd.solve(off);
-}
 
 Result<DeformationResult> restore_crease(const SideMesh& side, const Positions& V, int first, int last,
                                          const std::vector<Vec3>& other_normals, const std::vector<double>& rest_angles,

@@ -16,17 +16,6 @@ struct CreaseReport {
     double lost_before_restoration = 0; ///< mean absolute change before step 7 [deg]
 };
 
-/// What one edge of a line asks of a vertex beside it: to lie in a plane, near a place, `height` away from the edge.
-struct CreaseWish {
-    Vec3 place = Vec3::Zero();
-    Vec3 normal = Vec3::Zero();
-    double height = 0;
-};
-
-/// One place for a vertex that has several edges: the mean of its wishes, moved as little as possible to where the
-/// edges' planes are met best, in the sense of least squares of the angles.
-Vec3 reconcile(const std::vector<CreaseWish>& wishes);
-
 /// Brings the crease angle along Lt back to that of L0 by turning the triangles beside the line on one side
 /// (Section 5.6; method.md K), then letting the rest of that side follow with the ASAN solver.
 /// `side` is the side to bend, `V` its current local positions; the used line is side.line[first .. last] (a closed

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/crease_ring.h"
 
-#include "kernel/crease.h"
 #include "kernel/topology.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -14,6 +15,8 @@ namespace tapeline {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
+/// The angle that a triangle of the ring may miss where one vertex serves several edges [rad].
+constexpr double may_miss = 0.25 / degrees;
 
 /// A line edge, as carried and as wanted, with the normal that this side has and shall have there.
 struct RingEdge {
@@ -22,6 +25,39 @@ struct RingEdge {
     Vec3 normal_before = Vec3::Zero(), normal_after = Vec3::Zero();
     Vec3 along_before = Vec3::Zero(), along_after = Vec3::Zero();
 };
+
+/// What one edge asks of the vertex opposite to it: to lie in a plane, near a place, `height` away from the edge.
+struct Wish {
+    Vec3 place = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    double height = 0;
+};
+
+/// One place for a vertex that has several edges: as near to the mean of its wishes as the angles allow. Planes of
+/// edges that turn little meet far away, so the pull towards them grows only until no angle is missed by too much.
+Vec3 reconcile(const std::vector<Wish>& wishes)
+{
+    Vec3 mean = Vec3::Zero();
+    for (const Wish& wish : wishes) {
+        mean += wish.place / static_cast<double>(wishes.size());
+    }
+    Vec3 place = mean;
+    for (double pull = 1; pull < 1e9; pull *= 4) {
+        double missed = 0;
+        Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+        Vec3 b = Vec3::Zero();
+        for (const Wish& wish : wishes) {
+            missed = std::max(missed, std::abs(wish.normal.dot(place - wish.place)) / wish.height);
+            A += pull * wish.normal * wish.normal.transpose();
+            b += pull * wish.normal.dot(wish.place - mean) * wish.normal;
+        }
+        if (missed <= may_miss) {
+            break;
+        }
+        place = mean + A.inverse() * b;
+    }
+    return place;
+}
 
 /// Columns: along, across (in the plane), normal.
 Eigen::Matrix3d frame(const Vec3& along, const Vec3& normal)
@@ -110,7 +146,7 @@ CreaseRing crease_ring(const SideMesh& side, const Positions& carried, bool clos
             }
         }
     }
-    std::map<int, std::vector<CreaseWish>> wishes;
+    std::map<int, std::vector<Wish>> wishes;
     for (const RingEdge& edge : edges) {
         if (places.contains(edge.apex)) {
             const Vec3 arm = carried.row(edge.apex) - carried.row(side.line[edge.from]);

@@ -50,7 +50,7 @@ struct MoveOptions {
     bool check_unique = false; ///< solve from a second start too and report how far apart the answers are
     RimControl rim = RimControl::automatic;
     double rim_crease_angle = 5;               ///< a rim edge this sharp is a crease already [deg]
-    double plate_stiffness_ratio = 1.5;        ///< μ of plate-fl's plates; its retraction has stiffness_ratio
+    double plate_stiffness_ratio = 1.8;        ///< μ of plate-fl's plates; its retraction has stiffness_ratio
     LineCrease line_crease = LineCrease::free; ///< plate-fl only
 };
 

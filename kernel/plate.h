@@ -13,7 +13,7 @@
 namespace tapeline {
 
 struct PlateOptions {
-    Material material{.stiffness_ratio = 1.5};
+    Material material{.stiffness_ratio = 1.8};
     double tolerance_mm = 0; ///< wanted largest vertex error [mm]; 0 = 1e-5 of the mesh's size
     int max_passes = 200;
 };
@@ -28,7 +28,7 @@ struct PlateOptions {
 ///   curvature is carried there and kept under stretching: a stretched crown stays as round as it was;
 /// - it is turned with each vertex's neighbourhood and the system solved again on the same factorisation until nothing
 ///   changes (Anderson-accelerated passes; for small moves the first is the answer already);
-/// - the free end along `line` has a Poisson ratio of 1/2 (kernel/plate_system.h), without which oblique sections of a
+/// - the free end along `line` has a small Poisson ratio (kernel/plate_system.cpp), without which oblique sections of a
 ///   curved line get an inflection.
 /// Every pass has one answer. The bending does not depend on mesh size (method.md B3 does not apply).
 ///

@@ -80,7 +80,7 @@ struct MoveSettings {
     bool allow_ambiguous = false;
     std::string rim = "auto";
     std::string crease = "free";
-    double plate_stiffness_ratio = 1.5;
+    double plate_stiffness_ratio = 1.8;
     bool allow_unconverged = false;
 };
 

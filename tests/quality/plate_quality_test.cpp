@@ -101,6 +101,22 @@ TEST_P(PlatePanel, KeepsTheTangentAtTheRimAndTheCrownWithoutAnInflection)
     EXPECT_LE(plate.line_error_max_mm, 1e-9);
 }
 
+TEST_P(PlatePanel, KeepsTheCreaseAngleWhenAsked)
+{
+    const WidePanel panel(GetParam().diagonals);
+    const auto [move, plate] = slide_panel(panel, GetParam().mm, Method::plate_fl, LineCrease::keep);
+    EXPECT_TRUE(move.converged());
+    EXPECT_LE(plate.crease_max_difference, 0.5);
+    EXPECT_LE(plate.rim_crease_mean_change, 0.5);
+    EXPECT_LE(plate.rim_crease_max_change, 1.5);
+    // One inflection is the price; oblique sections near the line's ends, where there is little to turn, get a second.
+    EXPECT_LE(plate.tension_sections.inflections_after, 2);
+    EXPECT_EQ(plate.compressed_sections.inflections_after, 0);
+    EXPECT_LE(std::abs(plate.bulge_max_mm), 0.1);
+    EXPECT_EQ(plate.flipped, 0);
+    EXPECT_LE(plate.line_error_max_mm, 1e-9);
+}
+
 INSTANTIATE_TEST_SUITE_P(Slides, PlatePanel, slides, slide_name);
 
 namespace {
