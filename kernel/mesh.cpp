@@ -53,7 +53,12 @@ double bounding_diagonal(const Positions& V)
 
 double rotation_free_size(const Positions& V)
 {
-    return V.rows() == 0 ? 0 : 2 * (V.rowwise() - V.colwise().mean()).rowwise().norm().maxCoeff();
+    if (V.rows() == 0) {
+        return 0;
+    }
+    // As an expression the mean would be taken anew for every row.
+    const Eigen::RowVector3d mean = V.colwise().mean();
+    return 2 * (V.rowwise() - mean).rowwise().norm().maxCoeff();
 }
 
 Positions vertex_normals(const Mesh& mesh)
