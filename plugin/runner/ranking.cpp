@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace tapeline {
 
@@ -28,15 +29,17 @@ int new_inflections(const QualityReport& q)
     return new_inflections(q.compressed_sections) + new_inflections(q.tension_sections);
 }
 
+/// Of the runs with fewest flipped triangles.
 double least_bulge(const std::vector<MethodRun>& runs)
 {
-    double least = std::numeric_limits<double>::infinity();
+    std::pair least(std::numeric_limits<int>::max(), std::numeric_limits<double>::infinity());
     for (const MethodRun& run : runs) {
         if (run.sound() && run.measures.has_compressed) {
-            least = std::min(least, std::abs(run.measures.quality.bulge_max_mm));
+            const QualityReport& q = run.measures.quality;
+            least = std::min(least, std::pair(q.flipped, std::abs(q.bulge_max_mm)));
         }
     }
-    return least;
+    return least.second;
 }
 
 std::string size_text(double mm) { return short_number(mm) + " mm"; }
