@@ -14,7 +14,7 @@ namespace tapeline {
 namespace {
 
 constexpr double most_off = 0.5;   ///< share of a displacement by which a line may lie off its way
-constexpr double most_way = 0.85;   ///< share of a line's piece that a junction may run along
+constexpr double most_way = 0.85;  ///< share of a line's piece that a junction may run along
 constexpr double fade_length = 10; ///< per size of the correction
 
 /// The other lines as rails that begin at the vertices of the moving one.

@@ -20,9 +20,9 @@ public:
 
     Result<void> correspond_to(const FeatureLine& line, const TargetCurve& target); ///< Section 3.3
     Result<void> place();                                                           ///< step 1, Section 3.4
-    Result<void> carry_line(const TargetCurve& target); ///< takes junctions with other lines along
-    Result<void> extend();                                                          ///< step 2, Section 5.1
-    Result<void> split();                                                           ///< Section 5.2
+    Result<void> carry_line(const TargetCurve& target);           ///< takes junctions with other lines along
+    Result<void> extend();                                        ///< step 2, Section 5.1
+    Result<void> split();                                         ///< Section 5.2
     Result<void> deform_side(int side, const Progress& progress); ///< steps 3 and 5, Sections 5.3, 5.4
     Result<void> retract_side(int side);                          ///< step 4, Section 4
     Result<void> sew_sides();                                     ///< step 6, Section 5.5

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/cli/command_line.h"
 
+#include "kernel/spelling.h"
 #include "plugin/runner/job_file.h"
 #include "plugin/runner/option_value.h"
 #include "plugin/runner/runner.h"
-#include "kernel/spelling.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
