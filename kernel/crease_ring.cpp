@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -16,7 +17,9 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 /// The angle that a triangle of the ring may miss where one vertex serves several edges [rad].
-constexpr double may_miss = 0.25 / degrees;
+constexpr double may_miss = 0.4 / degrees;
+/// How far such a vertex may go for it, as a share of its height over the edge.
+constexpr double may_shift = 0.22;
 
 /// A line edge, as carried and as wanted, with the normal that this side has and shall have there.
 struct RingEdge {
@@ -41,8 +44,12 @@ Vec3 reconcile(const std::vector<Wish>& wishes)
     for (const Wish& wish : wishes) {
         mean += wish.place / static_cast<double>(wishes.size());
     }
+    double height = std::numeric_limits<double>::infinity();
+    for (const Wish& wish : wishes) {
+        height = std::min(height, wish.height);
+    }
     Vec3 place = mean;
-    for (double pull = 1; pull < 1e9; pull *= 4) {
+    for (double pull = 1; pull < 1e9; pull *= 1.3) {
         double missed = 0;
         Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
         Vec3 b = Vec3::Zero();
@@ -54,7 +61,11 @@ Vec3 reconcile(const std::vector<Wish>& wishes)
         if (missed <= may_miss) {
             break;
         }
-        place = mean + A.inverse() * b;
+        const Vec3 next = mean + A.inverse() * b;
+        if ((next - mean).norm() > may_shift * height) {
+            break;
+        }
+        place = next;
     }
     return place;
 }

@@ -13,6 +13,8 @@ namespace tapeline {
 namespace {
 
 constexpr int window = 5;
+/// A single fast step is no promise for the next.
+constexpr double least_ratio = 0.2;
 
 double largest_row(const Eigen::MatrixXd& M) { return M.rows() == 0 ? 0 : M.rowwise().norm().maxCoeff(); }
 
@@ -37,8 +39,9 @@ Passes iterate(PlateSystem& system, Positions& V, double tolerance, int max_pass
         const Positions G = system.minimise(V);
         ++run.count;
         const double step = largest_row(G - V);
-        // What is left after a pass, as a geometric series with the ratio of the last two steps.
-        const double ratio = last_step > 0 ? std::clamp(step / last_step, 0.0, 0.9) : 0;
+        // What is left after a pass, as a geometric series with the ratio of the last two steps. The first step is the
+        // load itself and tells nothing.
+        const double ratio = run.count > 2 && last_step > 0 ? std::clamp(step / last_step, least_ratio, 0.9) : 0.5;
         run.error_estimate = step * ratio / (1 - ratio);
         if (!(step < 1e100)) {
             break;
