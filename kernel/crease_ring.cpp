@@ -49,7 +49,9 @@ Vec3 reconcile(const std::vector<Wish>& wishes)
         height = std::min(height, wish.height);
     }
     Vec3 place = mean;
-    for (double pull = 1; pull < 1e9; pull *= 1.3) {
+    constexpr int attempts = 79; // up to a pull of about 1e9
+    double pull = 1;
+    for (int attempt = 0; attempt < attempts; ++attempt, pull *= 1.3) {
         double missed = 0;
         Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
         Vec3 b = Vec3::Zero();
