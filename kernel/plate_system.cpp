@@ -2,6 +2,7 @@
 #include "kernel/plate_system.h"
 
 #include "kernel/deformation.h"
+#include "kernel/local_global.h"
 #include "kernel/parallel.h"
 #include "kernel/topology.h"
 
@@ -123,15 +124,8 @@ Result<PlateSystem> PlateSystem::create(const Mesh& rest, const PlateSupport& su
 
 Result<void> PlateSystem::check() const
 {
-    const double diagonal = bounding_diagonal(rest_.V);
-    for (int t = 0; t < rest_.F.rows(); ++t) {
-        if (!(triangle_area(rest_, t) > 1e-16 * diagonal * diagonal)) {
-            return fail(
-                ErrorKind::rejected,
-                fmt::format("the region has a triangle without area at {} mm: remesh the region (--max-edge) or "
-                            "repair the model there",
-                            place(rest_, rest_.F(t, 0))));
-        }
+    if (auto sound = check_triangles(rest_); !sound) {
+        return sound;
     }
     if (const int v = loose_vertex(rest_, support_.constrained); v >= 0) {
         return fail(ErrorKind::rejected,
