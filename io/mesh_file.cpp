@@ -127,6 +127,31 @@ void note_repairs(const RepairedMesh& repaired, ImportReport& report)
     report.warnings.insert(report.warnings.end(), found.warnings.begin(), found.warnings.end());
 }
 
+std::string unit_text(double units_mm) { return units_mm == 1 ? "mm" : fmt::format("{} mm", units_mm); }
+
+/// The model of a mesh in mm, repaired; `keeps_isolated`: vertices in no triangle stay, so that numbers do.
+Result<Model> usable_model(std::string_view name, ErrorKind kind, Mesh mesh, bool keeps_isolated, ImportReport& report)
+{
+    const auto refused = [&](const std::string& reason) {
+        return fail(kind, fmt::format("cannot use {}: {}", name, reason));
+    };
+    if (const std::string reason = useless(mesh); !reason.empty()) {
+        return refused(reason);
+    }
+    RepairedMesh repaired = repair_mesh(std::move(mesh));
+    if (!keeps_isolated) {
+        repaired.mesh = without_isolated_vertices(repaired.mesh);
+        repaired.report.isolated_vertices = 0;
+    }
+    note_repairs(repaired, report);
+    if (report.faces == 0) {
+        return refused("all its triangles are degenerate: export the model again");
+    }
+    Model model;
+    model.mesh = std::move(repaired.mesh);
+    return model;
+}
+
 /// Everything of `read_mesh` after the bytes are there; throws what the readers throw.
 Result<ImportedModel> build_model(std::string_view name, FileFormat format, std::string_view content,
                                   const ImportOptions& options)
@@ -134,34 +159,29 @@ Result<ImportedModel> build_model(std::string_view name, FileFormat format, std:
     ImportedModel result;
     ImportReport& report = result.report;
     report.format = format_name(format);
-    report.units = options.units_mm == 1 ? "mm" : fmt::format("{} mm", options.units_mm);
+    report.units = unit_text(options.units_mm);
     Mesh mesh = to_mesh(read_polygons(format, content, report), options.units_mm, report);
-    const auto unreadable = [name](const std::string& reason) {
-        return fail(ErrorKind::unreadable, fmt::format("cannot use {}: {}", name, reason));
-    };
-    if (const std::string reason = useless(mesh); !reason.empty()) {
-        return unreadable(reason);
+    const bool stl = format == FileFormat::stl_ascii || format == FileFormat::stl_binary; // has no vertex numbers
+    return usable_model(name, ErrorKind::unreadable, std::move(mesh), !stl, report).map([&](Model model) {
+        result.model = std::move(model);
+        return std::move(result);
+    });
+}
+
+Result<void> check_unit(double units_mm)
+{
+    if (!(units_mm > 0) || !std::isfinite(units_mm)) {
+        return fail(ErrorKind::usage, fmt::format("the length of a file unit is {} mm, it must be above 0", units_mm));
     }
-    RepairedMesh repaired = repair_mesh(std::move(mesh));
-    if (format == FileFormat::stl_ascii || format == FileFormat::stl_binary) {
-        repaired.mesh = without_isolated_vertices(repaired.mesh); // STL has no vertex numbers to keep
-        repaired.report.isolated_vertices = 0;
-    }
-    note_repairs(repaired, report);
-    if (report.faces == 0) {
-        return unreadable("all its triangles are degenerate: export the model again");
-    }
-    result.model.mesh = std::move(repaired.mesh);
-    return result;
+    return {};
 }
 
 } // namespace
 
 Result<ImportedModel> read_mesh_content(std::string_view name, std::string_view content, const ImportOptions& options)
 {
-    if (!(options.units_mm > 0) || !std::isfinite(options.units_mm)) {
-        return fail(ErrorKind::usage,
-                    fmt::format("the length of a file unit is {} mm, it must be above 0", options.units_mm));
+    if (const auto fine = check_unit(options.units_mm); !fine) {
+        return tl::unexpected(fine.error());
     }
     const std::string ending = std::filesystem::path(name).extension().string();
     const auto format = require_readable(name, sniff_format(content.substr(0, sniffed_bytes), content.size(), ending));
@@ -197,6 +217,35 @@ Result<ImportedModel> read_mesh(const std::filesystem::path& path, const ImportO
         return tl::unexpected(content.error());
     }
     return read_mesh_content(path.string(), content->view(), options);
+}
+
+Result<ImportedModel> take_mesh(std::string_view name, Mesh mesh, const ImportOptions& options)
+{
+    if (const auto fine = check_unit(options.units_mm); !fine) {
+        return tl::unexpected(fine.error());
+    }
+    const auto count = static_cast<int>(mesh.V.rows());
+    for (int t = 0; t < mesh.F.rows(); ++t) {
+        for (const int v : mesh.F.row(t)) {
+            if (v < 0 || v >= count) {
+                return fail(
+                    ErrorKind::rejected,
+                    fmt::format("cannot use {}: triangle {} names vertex {}, but there are {} vertices, counted "
+                                "from 0",
+                                name, t, v, count));
+            }
+        }
+    }
+    ImportedModel result;
+    result.report.format = "arrays";
+    result.report.units = unit_text(options.units_mm);
+    if (options.units_mm != 1) {
+        mesh.V *= options.units_mm;
+    }
+    return usable_model(name, ErrorKind::rejected, std::move(mesh), true, result.report).map([&](Model model) {
+        result.model = std::move(model);
+        return std::move(result);
+    });
 }
 
 } // namespace tapeline

@@ -62,6 +62,10 @@ Result<ImportedModel> read_cad(const std::filesystem::path& path, const ImportOp
 /// ErrorKind::unreadable and the line (text) or byte (binary) of the first mistake.
 Result<ImportedModel> read_mesh(const std::filesystem::path& path, const ImportOptions& options = {});
 
+/// A mesh given as arrays, taken as `read_mesh` takes one from a file: coordinates scaled by `options.units_mm`, then
+/// repaired; `name` is what messages call it. Rejected when an index or coordinate is out of range.
+Result<ImportedModel> take_mesh(std::string_view name, Mesh mesh, const ImportOptions& options = {});
+
 struct ExportOptions {
     bool ascii = false;  ///< STL and PLY: text instead of binary
     double units_mm = 1; ///< length of one file unit [mm]

@@ -68,10 +68,15 @@ Result<void> check_target_name(const fs::path& path)
 
 Result<void> check_outputs(const Job& job)
 {
-    const OutputSettings& o = job.outputs;
-    if (o.out.empty()) {
+    if (job.outputs.out.empty()) {
         return fail(ErrorKind::usage, "no output is named: give -o FILE (the job key outputs.out)");
     }
+    return check_output_names(job);
+}
+
+Result<void> check_output_names(const Job& job)
+{
+    const OutputSettings& o = job.outputs;
     std::vector<fs::path> meshes = o.out;
     meshes.push_back(o.rest);
     OutputSet names;

@@ -10,6 +10,9 @@ namespace tapeline {
 /// none that is the input. Fails with usage.
 Result<void> check_outputs(const Job& job);
 
+/// The same where no mesh needs to be written.
+Result<void> check_output_names(const Job& job);
+
 /// Writes everything that the job asks for, together (see OutputSet). Stages are added to `watch` and to
 /// outcome.seconds, which the statistics hold without the time of the writing itself.
 Result<void> write_outputs(const Job& job, JobOutcome& outcome, Stopwatch& watch, const Progress& progress);

@@ -20,13 +20,21 @@ constexpr double sliver_angle = 5; ///< below this smallest angle the region is 
 /// The steps of a preparation; each returns whether it worked and leaves its part in `made`.
 class Preparer {
 public:
-    Preparer(const Job& job, Stopwatch& watch, const Progress& progress) : job_(job), watch_(watch), progress_(progress)
+    Preparer(const Job& job, const JobInputs& inputs, Stopwatch& watch, const Progress& progress)
+        : job_(job), inputs_(inputs), watch_(watch), progress_(progress)
     {
     }
 
+    Result<void> check() const { return inputs_.line.empty() ? check_line_chosen(job_.lines.line) : Result<void>(); }
+
     Result<void> read()
     {
-        return stage("import", 0.0).and_then([&] {
+        return stage("import", 0.0).and_then([&]() -> Result<void> {
+            if (inputs_.model) {
+                made.model = inputs_.model->imported.model;
+                made.import = inputs_.model->imported.report;
+                return {};
+            }
             return read_model(job_.input, import_options(job_.import)).map([&](ImportedModel imported) {
                 made.model = std::move(imported.model);
                 made.import = std::move(imported.report);
@@ -39,7 +47,7 @@ public:
         return stage("lines", 0.2).and_then([&] {
             std::vector<FeatureLine> lines = find_feature_lines(made.model, line_options(job_.lines));
             return refine_chosen(lines)
-                .and_then([&] { return choose_line(made.model, lines, job_.lines.line); })
+                .and_then([&] { return choose(lines); })
                 .and_then([&](FeatureLine line) {
                     made.line = std::move(line);
                     return region_options(made.model, lines, job_.region);
@@ -50,11 +58,7 @@ public:
 
     Result<void> find_target()
     {
-        return stage("target", 0.3).and_then([&] {
-            return make_target(made.model, made.line, job_.target).map([&](TargetChoice choice) {
-                made.target = std::move(choice);
-            });
-        });
+        return stage("target", 0.3).and_then([&] { return find_target_again(); });
     }
 
     Result<void> remesh()
@@ -97,6 +101,12 @@ private:
         return {};
     }
 
+    Result<FeatureLine> choose(const std::vector<FeatureLine>& lines) const
+    {
+        return inputs_.line.empty() ? choose_line(made.model, lines, job_.lines.line)
+                                    : line_through(made.model, inputs_.line);
+    }
+
     bool remeshes() const
     {
         const bool asked = !made.model.cad_face.empty() || job_.remesh.max_edge > 0;
@@ -107,7 +117,7 @@ private:
     Result<void> refine_chosen(std::vector<FeatureLine>& lines)
     {
         constexpr double least_edges = 20, wanted_edges = 60;
-        if (!remeshes() || !job_.lines.line.names_line()) {
+        if (!remeshes() || !inputs_.line.empty() || !job_.lines.line.names_line()) {
             return {};
         }
         const std::string& selector = job_.lines.line.text;
@@ -190,7 +200,7 @@ private:
 
     Result<void> find_target_again()
     {
-        return make_target(made.model, made.line, job_.target).map([&](TargetChoice choice) {
+        return make_target(made.model, made.line, job_.target, inputs_.target).map([&](TargetChoice choice) {
             made.target = std::move(choice);
         });
     }
@@ -208,6 +218,7 @@ private:
     }
 
     const Job& job_;
+    const JobInputs& inputs_;
     Stopwatch& watch_;
     const Progress& progress_;
     std::string stage_;
@@ -231,30 +242,26 @@ ImportOptions import_options(const ImportSettings& settings)
     return options;
 }
 
-Result<Preparation> prepare_target(const Job& job, Stopwatch& watch, const Progress& progress)
+Result<Preparation> prepare_target(const Job& job, Stopwatch& watch, const Progress& progress, const JobInputs& inputs)
 {
-    if (const auto chosen = check_line_chosen(job.lines.line); !chosen) {
-        return tl::unexpected(chosen.error());
-    }
     const bool on_surface = !job.target.slide.empty() || job.target.on_surface;
-    Preparer preparer(job, watch, progress);
-    return preparer.read()
+    Preparer preparer(job, inputs, watch, progress);
+    return preparer.check()
+        .and_then([&] { return preparer.read(); })
         .and_then([&] { return preparer.find_line(); })
         .and_then([&] { return preparer.find_target(); })
         .and_then([&] { return on_surface ? preparer.remesh() : Result<void>(); })
         .map([&] { return preparer.finish(); });
 }
 
-Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& progress)
+Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& progress, const JobInputs& inputs)
 {
-    if (!changes_line(job.target)) {
+    if (!changes_line(job.target) && !inputs.target) {
         return fail(ErrorKind::usage, "no goal is given for the line: give --target FILE, --slide MM or --edit FILE");
     }
-    if (const auto chosen = check_line_chosen(job.lines.line); !chosen) {
-        return tl::unexpected(chosen.error());
-    }
-    Preparer preparer(job, watch, progress);
-    return preparer.read()
+    Preparer preparer(job, inputs, watch, progress);
+    return preparer.check()
+        .and_then([&] { return preparer.read(); })
         .and_then([&] { return preparer.find_line(); })
         .and_then([&] { return preparer.find_target(); })
         .and_then([&] { return preparer.remesh(); })

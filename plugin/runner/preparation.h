@@ -4,6 +4,7 @@
 #include "io/model_file.h"
 #include "kernel/progress.h"
 #include "kernel/region.h"
+#include "plugin/runner/inputs.h"
 #include "plugin/runner/stopwatch.h"
 #include "plugin/runner/target_choice.h"
 
@@ -40,10 +41,11 @@ double unit_length_mm(const std::string& unit);
 
 /// The first half of `prepare`: a target line for the job, on the model as imported or, where the line is slid or laid
 /// on a CAD surface, on its remeshed surroundings, which lie closer to the exact surface. Leaves `region` empty.
-Result<Preparation> prepare_target(const Job& job, Stopwatch& watch, const Progress& progress);
+Result<Preparation> prepare_target(const Job& job, Stopwatch& watch, const Progress& progress,
+                                   const JobInputs& inputs = {});
 
 /// Reads the model, finds and picks the line, makes the target, remeshes where asked or needed, and chooses the region.
-/// Stages that were run are added to `watch`.
-Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& progress);
+/// Stages that were run are added to `watch`. What `inputs` holds takes the place of the job's files.
+Result<Preparation> prepare(const Job& job, Stopwatch& watch, const Progress& progress, const JobInputs& inputs = {});
 
 } // namespace tapeline

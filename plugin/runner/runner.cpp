@@ -125,15 +125,11 @@ MoveOptions move_options(const Job& job)
 
 namespace {
 
-Result<JobOutcome> run_steps(const Job& job, const Progress& progress)
+Result<JobOutcome> solve_steps(const Job& job, const JobInputs& inputs, Stopwatch& watch, const Progress& progress)
 {
-    Stopwatch watch;
     JobOutcome outcome;
-    if (auto fine = check_outputs(job); !fine) {
-        return tl::unexpected(fine.error());
-    }
     const Progress moving = progress.part(0.3, 0.9);
-    return prepare(job, watch, progress.part(0.0, 0.3))
+    return prepare(job, watch, progress.part(0.0, 0.3), inputs)
         .and_then([&](Preparation prepared) {
             outcome.preparation = std::move(prepared);
             watch.restart();
@@ -158,18 +154,28 @@ Result<JobOutcome> run_steps(const Job& job, const Progress& progress)
         .and_then([&](Measures measures) {
             outcome.measures = std::move(measures);
             watch.lap("quality");
-            return file_sha256(job.input);
+            return inputs.model ? Result<std::string>(inputs.model->sha256) : file_sha256(job.input);
         })
-        .and_then([&](std::string sum) {
+        .map([&](std::string sum) {
             outcome.input_sha256 = std::move(sum);
             outcome.gates = evaluate_gates(job.gate, outcome.measures);
             collect_warnings(outcome);
             warn_of_rim_crease(outcome);
-            return write_outputs(job, outcome, watch, progress.part(0.93, 1.0));
-        })
-        .map([&] {
             outcome.seconds = watch.seconds();
             return std::move(outcome);
+        });
+}
+
+Result<JobOutcome> run_steps(const Job& job, const Progress& progress)
+{
+    Stopwatch watch;
+    return check_outputs(job)
+        .and_then([&] { return solve_steps(job, {}, watch, progress); })
+        .and_then([&](JobOutcome outcome) {
+            return write_outputs(job, outcome, watch, progress.part(0.93, 1.0)).map([&] {
+                outcome.seconds = watch.seconds();
+                return std::move(outcome);
+            });
         });
 }
 
@@ -178,6 +184,12 @@ Result<JobOutcome> run_steps(const Job& job, const Progress& progress)
 Result<JobOutcome> run_job(const Job& job, const Progress& progress)
 {
     return guarded([&] { return run_steps(job, progress); });
+}
+
+Result<JobOutcome> solve_job(const Job& job, const JobInputs& inputs, const Progress& progress)
+{
+    Stopwatch watch;
+    return guarded([&] { return solve_steps(job, inputs, watch, progress); });
 }
 
 std::string outcome_table(const JobOutcome& o)

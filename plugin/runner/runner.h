@@ -38,6 +38,10 @@ Error ambiguity(const MoveResult& move);
 /// `gate_failure`): its outputs are written.
 Result<JobOutcome> run_job(const Job& job, const Progress& progress = {});
 
+/// `run_job` without its files: what `inputs` holds takes the place of those that the job names, and nothing is written
+/// (`write_outputs` can do that later).
+Result<JobOutcome> solve_job(const Job& job, const JobInputs& inputs, const Progress& progress = {});
+
 /// The short table that `tapeline move` prints.
 std::string outcome_table(const JobOutcome& outcome);
 

@@ -155,7 +155,7 @@ ordered_json retraction_json(const RetractionReport& r)
             {"crossings", r.crossings}};
 }
 
-std::string stats_text(const Job& job, const JobOutcome& o)
+ordered_json stats_json(const Job& job, const JobOutcome& o)
 {
     ordered_json stats;
     stats["tool_version"] = version();
@@ -186,8 +186,10 @@ std::string stats_text(const Job& job, const JobOutcome& o)
     for (const auto& [stage, seconds] : o.seconds) {
         stats["seconds"][stage] = seconds;
     }
-    return json_text(stats);
+    return stats;
 }
+
+std::string stats_text(const Job& job, const JobOutcome& outcome) { return json_text(stats_json(job, outcome)); }
 
 ordered_json import_json(const ImportReport& r)
 {

@@ -9,6 +9,7 @@
 namespace tapeline {
 
 /// Statistics of a job as JSON with stable keys; lengths mm, angles deg, times s, indices in the result mesh.
+nlohmann::ordered_json stats_json(const Job& job, const JobOutcome& outcome);
 std::string stats_text(const Job& job, const JobOutcome& outcome);
 
 /// The parts of the statistics that describe a move.

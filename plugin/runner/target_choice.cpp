@@ -8,8 +8,12 @@ namespace tapeline {
 
 namespace {
 
-Result<TargetChoice> first_line(const Model& model, const FeatureLine& line, const TargetSettings& settings)
+Result<TargetChoice> first_line(const Model& model, const FeatureLine& line, const TargetSettings& settings,
+                                const std::optional<TargetLine>& given)
 {
+    if (given) {
+        return TargetChoice{*given, "given", 0, {}};
+    }
     if (!settings.target.empty()) {
         return read_target(settings.target).map([](TargetLine read) {
             return TargetChoice{std::move(read), "file", 0, {}};
@@ -52,9 +56,10 @@ bool changes_line(const TargetSettings& settings)
     return !settings.target.empty() || !settings.edit.empty() || !settings.slide.empty();
 }
 
-Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, const TargetSettings& settings)
+Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, const TargetSettings& settings,
+                                 const std::optional<TargetLine>& given)
 {
-    Result<TargetChoice> choice = first_line(model, line, settings);
+    Result<TargetChoice> choice = first_line(model, line, settings, given);
     const auto change = [&](auto&& step) {
         choice = std::move(choice).and_then([&](TargetChoice made) -> Result<TargetChoice> {
             return step(made.line).map([&](TargetLine changed) {

@@ -5,6 +5,7 @@
 #include "kernel/feature_lines.h"
 #include "plugin/runner/job.h"
 
+#include <optional>
 #include <string>
 
 namespace tapeline {
@@ -12,7 +13,7 @@ namespace tapeline {
 /// A target line and how it came about.
 struct TargetChoice {
     TargetLine line;
-    std::string source;      ///< "file" or "fit"
+    std::string source;      ///< "file", "fit" or "given"
     double fit_error_mm = 0; ///< largest distance of the feature line to its fit
     std::vector<std::string> warnings;
 };
@@ -25,6 +26,8 @@ bool changes_line(const TargetSettings& settings);
 
 /// Makes the target line that the settings ask for: read from the file or fitted to the feature line, then control
 /// points moved (`edit`), slid along the surface (`slide`), faired (`fair`), dropped onto the model (`on_surface`).
-Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, const TargetSettings& settings);
+/// `given` takes the place of the file.
+Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, const TargetSettings& settings,
+                                 const std::optional<TargetLine>& given = {});
 
 } // namespace tapeline

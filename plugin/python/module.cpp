@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/python/objects.h"
+#include "plugin/runner/keywords.h"
+
+#include <nlohmann/json.hpp>
+
+PYBIND11_MODULE(_tapeline, module)
+{
+    using namespace tapeline;
+    module.doc() = "The compiled part of the package tapeline.";
+    python::add_errors(module);
+    module.def("version", [] { return std::string(version()); });
+    module.def("options", [] { return python::object_of(options_json()); });
+    python::add_models(module);
+    python::add_targets(module);
+    python::add_moves(module);
+}

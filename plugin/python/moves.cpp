@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// move, its result, and whole jobs.
+#include "plugin/python/call.h"
+#include "plugin/python/objects.h"
+#include "plugin/runner/job_file.h"
+#include "plugin/runner/job_outputs.h"
+#include "plugin/runner/json_text.h"
+#include "plugin/runner/keywords.h"
+#include "plugin/runner/stats.h"
+
+#include <fmt/format.h>
+
+namespace tapeline::python {
+
+namespace {
+
+ResultObject move(const ModelObject& model, const LineObject& line, const py::object& target, py::object progress,
+                  py::object cancel, const py::kwargs& keywords)
+{
+    BoundJob bound = bind_job(model, line, target, keywords, {"target", "remesh", "region", "move", "gate"});
+    auto outcome = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+        return solve_job(bound.job, bound.inputs, watched);
+    });
+    return {std::move(bound.job), model.held, std::make_shared<JobOutcome>(std::move(outcome))};
+}
+
+void write(const ResultObject& self, const py::object& path, py::object progress, py::object cancel,
+           const py::kwargs& keywords)
+{
+    Job job = self.job;
+    job.outputs = {};
+    py::kwargs outputs = keywords;
+    if (!path.is_none()) {
+        outputs["out"] = path;
+    }
+    value(set_keywords(job, json_of(outputs), {"outputs"}));
+    Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+        return check_output_names(job).and_then([&] {
+            JobOutcome outcome = *self.outcome;
+            Stopwatch watch;
+            for (const auto& [stage, seconds] : outcome.seconds) {
+                watch.add(stage, seconds);
+            }
+            return write_outputs(job, outcome, watch, watched);
+        });
+    });
+}
+
+py::dict maps(ResultObject& self)
+{
+    const JobOutcome& o = *self.outcome;
+    if (!self.maps) {
+        self.maps = without_gil([&]() -> Result<std::shared_ptr<const QualityMaps>> {
+            return std::make_shared<QualityMaps>(quality_maps(quality_input(o.move, o.preparation.target->line)));
+        });
+    }
+    const Eigen::VectorXd moved = (o.move.V - o.move.rest.mesh.V).rowwise().norm();
+    py::dict dict;
+    dict["displacement"] = copied(std::span<const double>(moved.data(), static_cast<std::size_t>(moved.size())));
+    const py::capsule owner = keep(self.maps);
+    dict["distance_to_original"] = shown(self.maps->bulge_mm, owner);
+    dict["gaussian_before"] = shown(self.maps->gauss_before, owner);
+    dict["gaussian_after"] = shown(self.maps->gauss_after, owner);
+    dict["mean_before"] = shown(self.maps->mean_before, owner);
+    dict["mean_after"] = shown(self.maps->mean_after, owner);
+    return dict;
+}
+
+/// A model of the result for the next move, as reading the written mesh would give it.
+ModelObject moved_model(const ResultObject& self)
+{
+    return {without_gil([&] {
+        const MoveResult& move = self.outcome->move;
+        ImportSettings settings;
+        return hold_mesh(Mesh{move.V, move.rest.mesh.F}, settings).map([&](std::shared_ptr<const HeldModel> held) {
+            auto own = std::make_shared<HeldModel>(*held);
+            own->settings.units = self.job.import.units;
+            return std::shared_ptr<const HeldModel>(std::move(own));
+        });
+    })};
+}
+
+ModelObject rest_model(const ResultObject& self)
+{
+    auto held = std::make_shared<HeldModel>();
+    held->imported = {self.outcome->move.rest, self.outcome->preparation.import};
+    held->settings = self.job.import;
+    return {std::move(held)};
+}
+
+const MoveResult& of(const ResultObject& self) { return self.outcome->move; }
+py::capsule owner(const ResultObject& self) { return keep(self.outcome); }
+
+py::array side_faces(const ResultObject& self, bool compressed)
+{
+    const QualityInput input = quality_input(of(self), self.outcome->preparation.target->line);
+    return copied(compressed ? input.compressed_faces : input.tension_faces);
+}
+
+void add_result(py::module_& module)
+{
+    py::class_<ResultObject>(module, "MoveResult")
+        .def_property_readonly("vertices", [](const ResultObject& self) { return shown(of(self).V, owner(self)); })
+        .def_property_readonly("rest_vertices",
+                               [](const ResultObject& self) { return shown(of(self).rest.mesh.V, owner(self)); })
+        .def_property_readonly("faces",
+                               [](const ResultObject& self) { return shown(of(self).rest.mesh.F, owner(self)); })
+        .def_property_readonly(
+            "line_vertices",
+            [](const ResultObject& self) { return shown(of(self).correspondence.line.vertices, owner(self)); })
+        .def_property_readonly("region_faces",
+                               [](const ResultObject& self) { return shown(of(self).region.faces, owner(self)); })
+        .def_property_readonly("tension_faces", [](const ResultObject& self) { return side_faces(self, false); })
+        .def_property_readonly("compression_faces", [](const ResultObject& self) { return side_faces(self, true); })
+        .def_property_readonly(
+            "target", [](const ResultObject& self) { return TargetObject{self.outcome->preparation.target->line}; })
+        .def_property_readonly("rest", &rest_model)
+        .def_property_readonly("moved", &moved_model)
+        .def_property_readonly("stats",
+                               [](const ResultObject& self) { return object_of(stats_json(self.job, *self.outcome)); })
+        .def_property_readonly(
+            "measures", [](const ResultObject& self) { return object_of(measures_json(self.outcome->measures)); })
+        .def_property_readonly("gates",
+                               [](const ResultObject& self) { return object_of(gates_json(self.outcome->gates)); })
+        .def_property_readonly("table", [](const ResultObject& self) { return outcome_table(*self.outcome); })
+        .def_property_readonly("warnings", [](const ResultObject& self) { return self.outcome->warnings; })
+        .def_property_readonly("maps", &maps)
+        .def("write", &write, py::arg("path") = py::none(), py::kw_only(), py::arg("progress") = py::none(),
+             py::arg("cancel") = py::none());
+}
+
+py::object run_file(const py::object& job, py::object progress, py::object cancel)
+{
+    const Job read = [&] {
+        if (py::isinstance<py::dict>(job)) {
+            return value(parse_job(json_text(json_of(job)), "the job", {}));
+        }
+        return value(read_job(py::module_::import("os").attr("fspath")(job).cast<std::string>()));
+    }();
+    if (read.input.empty()) {
+        raise({ErrorKind::usage, "the job's key 'input' is missing; name the model file"});
+    }
+    const JobOutcome outcome = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+        return run_job(read, watched);
+    });
+    return object_of(stats_json(read, outcome));
+}
+
+} // namespace
+
+void add_moves(py::module_& module)
+{
+    add_result(module);
+    module.def("move", &move, py::arg("model"), py::arg("line"), py::arg("target") = py::none(), py::kw_only(),
+               py::arg("progress") = py::none(), py::arg("cancel") = py::none());
+    module.def("run_job", &run_file, py::arg("job"), py::kw_only(), py::arg("progress") = py::none(),
+               py::arg("cancel") = py::none());
+}
+
+} // namespace tapeline::python

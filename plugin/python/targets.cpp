@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// TargetLine.
+#include "io/target_file.h"
+#include "io/target_formats.h"
+#include "plugin/python/call.h"
+#include "plugin/python/objects.h"
+#include "plugin/runner/keywords.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace tapeline::python {
+
+namespace {
+
+std::string path_text(const py::object& path)
+{
+    return py::module_::import("os").attr("fspath")(path).cast<std::string>();
+}
+
+TargetObject from_data(const py::array& control_points, const std::vector<double>& knots, int degree,
+                       const std::optional<std::vector<double>>& weights, bool closed)
+{
+    BSplineData data;
+    data.degree = degree;
+    data.knots = knots;
+    data.weights = weights.value_or(std::vector<double>{});
+    data.control_points = points_of(control_points, "the control points");
+    data.closed = closed;
+    return {value(TargetLine::from_data(data))};
+}
+
+TargetObject with_control_points(const TargetObject& self, const py::array& points)
+{
+    BSplineData data = self.line.data();
+    auto moved = points_of(points, "the control points");
+    if (moved.size() != data.control_points.size()) {
+        raise({ErrorKind::usage,
+               fmt::format("{} control points were given for {}", moved.size(), data.control_points.size())});
+    }
+    data.control_points = std::move(moved);
+    return {value(TargetLine::from_data(data))};
+}
+
+TargetObject move_control_point(const TargetObject& self, int index, const py::array& point, bool relative)
+{
+    if (point.ndim() != 1 || point.size() != 3) {
+        raise({ErrorKind::usage, "the point must be three numbers"});
+    }
+    const Vec3 p = points_of(point.attr("reshape")(1, 3), "the point").front();
+    return {value(move_control_points(self.line, {{index, p, relative}}))};
+}
+
+/// The steps that a job makes of a target it was given, on the model's surface around the line.
+TargetObject edit(const TargetObject& self, const ModelObject& model, const LineObject& line, const char* key,
+                  const py::object& setting, py::object progress, py::object cancel, py::kwargs keywords)
+{
+    keywords[key] = setting;
+    const BoundJob bound = bind_job(model, line, py::cast(self), keywords, {"target", "remesh"});
+    const Preparation made = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+        Stopwatch watch;
+        return prepare_target(bound.job, watch, watched, bound.inputs);
+    });
+    return {made.target->line};
+}
+
+TargetObject faired(const TargetObject& self, double limit)
+{
+    Job job;
+    value(set_keywords(job, {{"fair", true}, {"fair_limit", limit}}, {"target"}));
+    return {without_gil([&] { return make_target({}, {}, job.target, self.line); }).line};
+}
+
+py::array sample(const TargetObject& self, int count)
+{
+    if (count < 2) {
+        raise({ErrorKind::usage, fmt::format("at least 2 points can be sampled, not {}", count)});
+    }
+    const TargetLine& line = self.line;
+    const double length = line.length();
+    std::vector<Vec3> points;
+    points.reserve(static_cast<std::size_t>(count));
+    for (int k = 0; k + 1 < count; ++k) {
+        points.push_back(line.point(line.parameter_at(length * k / (count - 1))));
+    }
+    points.push_back(line.point(line.last_parameter()));
+    return copied(points);
+}
+
+py::tuple foot(const TargetObject& self, const py::array& points)
+{
+    std::vector<Vec3> feet;
+    std::vector<double> fractions;
+    const double length = self.line.length();
+    for (const Vec3& p : points_of(points, "the points")) {
+        const CurveFoot found = self.line.foot(p);
+        feet.push_back(found.point);
+        fractions.push_back(self.line.arc_length(found.parameter) / length);
+    }
+    return py::make_tuple(copied(feet), copied(fractions));
+}
+
+void add_edits(py::class_<TargetObject>& target)
+{
+    target.def("with_control_points", &with_control_points, py::arg("points"))
+        .def("move_control_point", &move_control_point, py::arg("index"), py::arg("point"), py::kw_only(),
+             py::arg("relative") = false)
+        .def(
+            "slide",
+            [](const TargetObject& self, const ModelObject& model, const LineObject& line, const py::object& law,
+               py::object progress, py::object cancel, const py::kwargs& keywords) {
+                return edit(self, model, line, "slide", law, std::move(progress), std::move(cancel), keywords);
+            },
+            py::arg("model"), py::arg("line"), py::arg("law"), py::kw_only(), py::arg("progress") = py::none(),
+            py::arg("cancel") = py::none())
+        .def(
+            "on_surface",
+            [](const TargetObject& self, const ModelObject& model, const LineObject& line, py::object progress,
+               py::object cancel, const py::kwargs& keywords) {
+                return edit(self, model, line, "on_surface", py::bool_(true), std::move(progress), std::move(cancel),
+                            keywords);
+            },
+            py::arg("model"), py::arg("line"), py::kw_only(), py::arg("progress") = py::none(),
+            py::arg("cancel") = py::none())
+        .def("fair", &faired, py::arg("limit") = 0.0);
+}
+
+void add_files(py::class_<TargetObject>& target)
+{
+    target
+        .def_static(
+            "read",
+            [](const py::object& path) {
+                const std::string name = path_text(path);
+                return TargetObject{without_gil([&] { return read_target(name); })};
+            },
+            py::arg("path"))
+        .def(
+            "write",
+            [](const TargetObject& self, const py::object& path) {
+                const std::string name = path_text(path);
+                without_gil([&] { return write_target(name, self.line); });
+            },
+            py::arg("path"))
+        .def("to_json", [](const TargetObject& self) { return target_to_json(self.line); })
+        .def_static(
+            "from_json",
+            [](const std::string& text) { return TargetObject{value(target_from_json("the text", text))}; },
+            py::arg("text"))
+        .def(py::pickle(
+            [](const TargetObject& self) { return target_to_json(self.line); },
+            [](const std::string& text) { return TargetObject{value(target_from_json("the text", text))}; }));
+}
+
+} // namespace
+
+void add_targets(py::module_& module)
+{
+    py::class_<TargetObject> target(module, "TargetLine");
+    target
+        .def(py::init(&from_data), py::arg("control_points"), py::arg("knots"), py::kw_only(), py::arg("degree") = 3,
+             py::arg("weights") = py::none(), py::arg("closed") = false)
+        .def_property_readonly("control_points",
+                               [](const TargetObject& self) { return copied(self.line.data().control_points); })
+        .def_property_readonly("knots", [](const TargetObject& self) { return copied(self.line.data().knots); })
+        .def_property_readonly("weights",
+                               [](const TargetObject& self) {
+                                   BSplineData data = self.line.data();
+                                   data.weights.resize(data.control_points.size(),
+                                                       data.weights.empty() ? 1.0 : data.weights.back());
+                                   return copied(data.weights);
+                               })
+        .def_property_readonly("degree", [](const TargetObject& self) { return self.line.data().degree; })
+        .def_property_readonly("closed", [](const TargetObject& self) { return self.line.closed(); })
+        .def_property_readonly("length_mm", [](const TargetObject& self) { return self.line.length(); })
+        .def_property_readonly("fit_error_mm", [](const TargetObject& self) { return self.fit_error_mm; })
+        .def("sample", &sample, py::arg("count"))
+        .def("foot", &foot, py::arg("points"));
+    add_edits(target);
+    add_files(target);
+    target.def_static(
+        "through",
+        [](const py::array& points, bool closed) {
+            const auto list = points_of(points, "the points");
+            return TargetObject{without_gil([&] { return interpolate_points(list, closed); })};
+        },
+        py::arg("points"), py::kw_only(), py::arg("closed") = false);
+}
+
+} // namespace tapeline::python

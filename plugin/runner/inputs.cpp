@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugin/runner/inputs.h"
+
+#include "plugin/runner/preparation.h"
+#include "plugin/runner/sha256.h"
+#include "plugin/runner/vertex_list.h"
+
+#include <fmt/format.h>
+
+namespace tapeline {
+
+Result<std::shared_ptr<const HeldModel>> hold_model(const std::filesystem::path& path, const ImportSettings& settings,
+                                                    const Progress& progress)
+{
+    if (!progress.report(0, "import")) {
+        return fail(ErrorKind::cancelled, "cancelled");
+    }
+    auto held = std::make_shared<HeldModel>();
+    held->path = path;
+    held->settings = settings;
+    return read_model(path, import_options(settings))
+        .and_then([&](ImportedModel imported) {
+            held->imported = std::move(imported);
+            return file_sha256(path);
+        })
+        .and_then([&](std::string sum) -> Result<std::shared_ptr<const HeldModel>> {
+            held->sha256 = std::move(sum);
+            if (!progress.report(1, "import")) {
+                return fail(ErrorKind::cancelled, "cancelled");
+            }
+            return std::move(held);
+        });
+}
+
+Result<std::shared_ptr<const HeldModel>> hold_mesh(Mesh mesh, const ImportSettings& settings)
+{
+    return take_mesh("the arrays", std::move(mesh), import_options(settings)).map([&](ImportedModel imported) {
+        auto held = std::make_shared<HeldModel>();
+        held->imported = std::move(imported);
+        held->settings = settings;
+        return std::shared_ptr<const HeldModel>(std::move(held));
+    });
+}
+
+std::vector<HeldLine> held_lines(const HeldModel& model, const LineSettings& settings)
+{
+    std::vector<HeldLine> held;
+    for (FeatureLine& line : find_feature_lines(model.imported.model, line_options(settings))) {
+        LineSettings own = settings;
+        own.line.text = std::to_string(line.id);
+        held.push_back({std::move(line), std::move(own)});
+    }
+    return held;
+}
+
+Result<HeldLine> held_chain(const HeldModel& model, std::vector<int> vertices, const LineSettings& settings)
+{
+    const auto count = model.imported.model.mesh.V.rows();
+    for (const int v : vertices) {
+        if (v < 0 || v >= count) {
+            return fail(ErrorKind::rejected,
+                        fmt::format("vertex {} of the line does not exist; the model has {} vertices", v, count));
+        }
+    }
+    return line_through(model.imported.model, std::move(vertices)).map([&](FeatureLine line) {
+        LineSettings own = settings;
+        own.line.text.clear();
+        return HeldLine{std::move(line), std::move(own)};
+    });
+}
+
+Result<HeldLine> held_part(const HeldModel& model, const HeldLine& line, const std::string& from, const std::string& to)
+{
+    if (line.settings.line.empty() || line.settings.line.text.find('@') != std::string::npos) {
+        return fail(ErrorKind::usage,
+                    "a part can be taken of a whole feature line, not of a part or a chain of vertices");
+    }
+    const std::string selector = fmt::format("{}@{}..{}", line.settings.line.text, from, to);
+    std::vector<FeatureLine> lines(static_cast<std::size_t>(line.line.id) + 1);
+    lines.back() = line.line;
+    return select_line(model.imported.model, lines, selector).map([&](FeatureLine part) {
+        LineSettings own = line.settings;
+        own.line.text = selector;
+        return HeldLine{std::move(part), std::move(own)};
+    });
+}
+
+JobInputs use_held(Job& job, std::shared_ptr<const HeldModel> model, const HeldLine& line,
+                   std::optional<TargetLine> target)
+{
+    job.input = model->path;
+    job.import = model->settings;
+    job.lines = line.settings;
+    JobInputs inputs;
+    inputs.model = std::move(model);
+    inputs.target = std::move(target);
+    if (line.settings.line.empty()) {
+        inputs.line = line.line.vertices;
+        if (line.line.closed) {
+            inputs.line.push_back(line.line.vertices.front());
+        }
+    }
+    return inputs;
+}
+
+} // namespace tapeline

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/error.h"
+#include "plugin/runner/options.h"
+
+#include <initializer_list>
+#include <nlohmann/json_fwd.hpp>
+
+namespace tapeline {
+
+/// Sets options of a job from keyword arguments: an object of job keys without their sections. Only keys of the given
+/// sections are taken, and none that names the model, the line or the target, which other faces pass as objects.
+/// A null leaves the default. Fails (usage) on an unknown key, naming the nearest known one, and on a value that the
+/// option table does not allow.
+Result<void> set_keywords(Job& job, const nlohmann::json& keywords, std::initializer_list<std::string_view> sections);
+
+/// The option table as data, in its order: per option `name`, `section`, `type`, `default`, `minimum`, `maximum`,
+/// `choices`, `unit`, `help`, `zero` (what 0 means), `count`, `file` and `commands`; null where there is none.
+nlohmann::ordered_json options_json();
+
+} // namespace tapeline
