@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Finds the compiled module `tapeline`, which does all the geometry, and says so politely where it is missing."""
+import importlib
+import os
+import sys
+
+from . import FOLDER, settings
+from .text import translate
+
+_module = None
+
+
+class EngineMissing(Exception):
+    """The compiled module cannot be loaded; the text is a sentence with the remedy."""
+
+
+def candidate_folders():
+    """Where the module may lie beside Python's own folders: the preference, the environment, a build next to the
+    addon (for one that is linked from a source folder), and the place where `cmake --install` puts both."""
+    source = os.path.abspath(os.path.join(os.path.realpath(FOLDER), *[os.pardir] * 4))
+    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    prefix = os.path.abspath(os.path.join(source, os.pardir, os.pardir, os.pardir))
+    folders = [settings.module_folder(), os.environ.get("TAPELINE_MODULE_FOLDER", "")]
+    folders += [os.path.join(source, "build", preset, "python") for preset in ("release", "dev")]
+    for library in ("lib", "lib64"):
+        folders += [os.path.join(prefix, library, *tail)
+                    for tail in (("python3", "dist-packages"), (version, "site-packages"), (version, "dist-packages"))]
+    return [folder for folder in folders if folder and os.path.isdir(os.path.join(folder, "tapeline"))]
+
+
+def _load():
+    try:
+        return importlib.import_module("tapeline")
+    except ModuleNotFoundError as error:
+        if error.name != "tapeline":
+            raise
+    for folder in candidate_folders():
+        sys.path.append(folder)
+        try:
+            return importlib.import_module("tapeline")
+        except ModuleNotFoundError:
+            sys.path.remove(folder)
+    return None
+
+
+def module():
+    """The compiled module; raises EngineMissing with a sentence."""
+    global _module
+    if _module is None:
+        reason = ""
+        try:
+            _module = _load()
+        except ImportError as error:
+            reason = " " + str(error)
+        if _module is None:
+            raise EngineMissing(translate("Tapeline", "The compiled Python module 'tapeline' was not found, so nothing "
+                                          "can be computed. Build it (scripts/demo) or install it (cmake --install), "
+                                          "or name its folder in Edit > Preferences > Tapeline.") + reason)
+    return _module
+
+
+def available():
+    try:
+        module()
+    except EngineMissing:
+        return False
+    return True
+
+
+def errors():
+    """The exceptions that carry a sentence for the user."""
+    known = (EngineMissing, UserError)
+    return known + ((module().TapelineError,) if available() else ())
+
+
+class UserError(Exception):
+    """Something the user can put right; the text is a sentence with the remedy."""

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What all document objects have in common."""
+import FreeCAD as App
+
+from .. import engine
+from ..text import complain, sentence_of
+
+
+class Proxy:
+    """Python side of a document object. Keeps nothing of its own: all that matters is in properties."""
+
+    kind = ""
+    icon_name = "tapeline"
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+
+    def add_properties(self, obj):
+        """Adds what the object does not have yet; also run after loading, for documents of older versions."""
+
+    def onDocumentRestored(self, obj):  # noqa: N802 (FreeCAD's name)
+        if engine.available():
+            self.add_properties(obj)
+
+    def execute(self, obj):
+        """FreeCAD's recompute. Errors become one sentence in the report view and the object's error state."""
+        try:
+            self.compute(obj)
+        except engine.errors() as error:
+            complain(f"{obj.Label}: {sentence_of(error)}")
+            raise RuntimeError(sentence_of(error)) from None
+
+    def compute(self, obj):
+        """The object's own work."""
+
+    # Nothing of the Python side is saved; FreeCAD 0.20 asks for the first pair, 0.21 and later for the second.
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+
+def property_if_missing(obj, kind, name, group, text, mode=0, hidden=False):
+    """Adds a property once. `mode` is FreeCAD's: 1 = read-only, 4 = hidden in older versions."""
+    if name not in obj.PropertiesList:
+        obj.addProperty(kind, name, group, text, mode, mode & 1 != 0, hidden)
+
+
+def create(document, type_name, name, proxy, label=""):
+    """A new document object with its Python side, and with its look where there is a window."""
+    obj = document.addObject(type_name, name)
+    proxy(obj)
+    if label:
+        obj.Label = label
+    if App.GuiUp:
+        from .. import views
+
+        views.attach(obj)
+    return obj
+
+
+def kind_of(obj):
+    """Which of our objects this is: "model", "lines", "target", "region", "move", or "" for others."""
+    return getattr(getattr(obj, "Proxy", None), "kind", "") if obj is not None else ""
+
+
+def is_a(obj, *kinds):
+    return kind_of(obj) in kinds

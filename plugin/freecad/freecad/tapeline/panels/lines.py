@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panel of Find feature lines: thresholds with sliders, the lines found, numbered in the 3D view as they change."""
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import api, models, properties
+from ..objects import line_set
+from ..scene.line_preview import LinePreview
+from ..text import translate
+from .base import Panel, SavedVisibility, number
+
+STEPS = 10  # slider positions a degree
+
+
+class LinesPanel(Panel):
+    title = translate("Tapeline", "Find feature lines")
+    icon_name = "lines"
+
+    def __init__(self, model=None, lines=None):
+        self.lines_object = lines
+        self.model = lines.Model if lines is not None else model
+        super().__init__(self.model.Document)
+        self.source = models.source_of(self.model)
+        self.found = []
+        now = properties.keys(lines, ["lines"]) if lines is not None else {}
+        self._build(now)
+        self.preview = self.decorate(LinePreview(self.view))
+        if lines is not None:
+            self.decorate(SavedVisibility(lines))
+        self.update()
+
+    def _build(self, now):
+        self.boxes = {}
+        labels = {"crease_angle": translate("Tapeline", "Crease angle"),
+                  "crease_angle_low": translate("Tapeline", "Goes on along"),
+                  "max_turn": translate("Tapeline", "Cut at turns of"),
+                  "min_length": translate("Tapeline", "Shortest line")}
+        for option in properties.table(["lines"]):
+            suffix = " °" if option["unit"] == "deg" else " mm"
+            box = number(now.get(option["name"], option["default"]), option["minimum"] or 0,
+                         option.get("maximum") or 1e6, 2, suffix)
+            box.setToolTip(properties.tooltip(option))
+            box.valueChanged.connect(lambda *_: self.update())
+            self.boxes[option["name"]] = box
+            self.rows.addRow(labels.get(option["name"], option["name"]), box)
+            if option["name"] == "crease_angle":
+                self._add_slider(box)
+        self.table = QtGui.QListWidget()
+        self.table.setObjectName("lines")
+        self.table.currentRowChanged.connect(self._mark)
+        self.column.insertWidget(1, self.table)
+
+    def _add_slider(self, box):
+        self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
+        self.slider.setObjectName("crease")
+        self.slider.setRange(1, 60 * STEPS)
+        self.slider.setValue(int(box.value() * STEPS))
+        self.slider.valueChanged.connect(lambda position: box.setValue(position / STEPS))
+        box.valueChanged.connect(self._follow)
+        self.rows.addRow("", self.slider)
+
+    def _follow(self, angle):
+        self.slider.blockSignals(True)
+        self.slider.setValue(int(angle * STEPS))
+        self.slider.blockSignals(False)
+
+    def keys(self):
+        return {name: box.value() for name, box in self.boxes.items()}
+
+    def update(self):
+        source, keys = self.source, self.keys()
+        self.compute(lambda progress, cancel: line_set.find(models.load(source), keys), self._show)
+
+    def _show(self, found):
+        self.found = found
+        self.table.clear()
+        for line in found:
+            self.table.addItem(line_set.describe(line))
+        self.preview.show([(str(line.id), line_set.closed_points(line)) for line in found])
+        self.say(translate("Tapeline", "Found: {}. Pick one in the list or, after OK, in the 3D view.")
+                 .format(len(found)) if found else
+                 translate("Tapeline", "No edge is as sharp as this: lower the crease angle."), bad=not found)
+
+    def _mark(self, index):
+        self.preview.mark(index)
+
+    def apply(self):
+        keys = self.keys()
+        if self.lines_object is None:
+            self.lines_object = api.find_lines(self.model, **keys)
+        else:
+            with api.transaction(self.document, self.title):
+                properties.assign(self.lines_object, keys)
+                api.computed(self.lines_object)
+        Gui.Selection.clearSelection()
+        chosen = max(self.table.currentRow(), 0)
+        Gui.Selection.addSelection(self.document.Name, self.lines_object.Name, f"Edge{chosen + 1}")

@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panel of Move feature line: drag, watch surface and measures follow, overrule the verdict, apply."""
+import FreeCADGui as Gui
+import numpy as np
+from PySide import QtCore, QtGui
+
+from .. import api, arrays, models, properties, settings, solving, worker
+from ..objects import move as moves
+from ..objects import target as targets
+from ..scene import colours
+from ..scene.overlay import SurfaceOverlay
+from ..session import MoveSession
+from ..text import translate
+from .base import AUTOMATIC, Panel, SavedVisibility, button, combo, number, row, wrapped
+from .curve_editing import CurveEditing, mode_box, prepared
+from .strip import QualityStrip
+
+
+class MovePanel(Panel):
+    title = translate("Tapeline", "Move feature line")
+    icon_name = "move"
+
+    def __init__(self, target=None, region=None, move=None):
+        self.move = move
+        self.target = move.Target if move is not None else target
+        self.region = move.Region if move is not None else region
+        super().__init__(self.target.Document)
+        self.ours = solving.is_target(self.target)
+        self.model = move.Model if move is not None else self.target.Model
+        self.order = self._order_of_document()
+        self.session = MoveSession()
+        self.solver = worker.Latest(self.form)
+        self.solver.on_progress = self.show_progress
+        self.result = None
+        self.dragged = False  # since the panel opened
+        self.overlay = self.decorate(SurfaceOverlay(self.view))
+        self.decorate(SavedVisibility(self.model, self.target, move))
+        self.editing = self.decorate(CurveEditing(self.view, self._dragged, self._released))
+        self._rest = QtCore.QTimer(self.form)
+        self._rest.setSingleShot(True)
+        self._rest.timeout.connect(self.solve_exactly)
+        self._build()
+        self._open()
+
+    def _order_of_document(self):
+        if self.move is not None:
+            return solving.order_of(self.move)
+        return solving.order_for(self.target, self.region)
+
+    # The form.
+
+    def _build(self):
+        keys = self.order.keys
+        self.verdict = QtGui.QLabel("…")
+        self.verdict.setObjectName("verdict")
+        self.verdict.setWordWrap(True)
+        self.rows.addRow(self.verdict)
+        self.boxes = {}
+        for name, label in (("placement", translate("Tapeline", "Line stays")),
+                            ("compressed_side", translate("Tapeline", "Gives way")),
+                            ("method", translate("Tapeline", "Method"))):
+            option = properties.option(name)
+            box = combo(option["choices"], keys.get(name, option["default"]))
+            box.setObjectName(name)
+            box.setToolTip(properties.tooltip(option))
+            box.currentIndexChanged.connect(lambda *_: self._options_changed())
+            self.boxes[name] = box
+            self.rows.addRow(label, box)
+        self.distance = number(keys.get("roi_distance", 0), 0, 1e5, 1, " mm", 10)
+        self.distance.setSpecialValueText(AUTOMATIC)
+        self.distance.valueChanged.connect(lambda *_: self._options_changed())
+        if self.region is None:
+            self.rows.addRow(translate("Tapeline", "Half-width"), self.distance)
+        else:
+            self.rows.addRow(translate("Tapeline", "Region"), wrapped(self.region.Label))
+        if self.ours:
+            self.rows.addRow(translate("Tapeline", "Dragging moves"), mode_box(self.editing))
+        self.tint = QtGui.QCheckBox(translate("Tapeline", "tint the two sides"))
+        self.tint.setToolTip(translate("Tapeline", "Blue is stretched, orange gives way"))
+        self.tint.setChecked(True)
+        self.tint.toggled.connect(lambda *_: self._paint())
+        self.rows.addRow(self.tint)
+        self.strip = QualityStrip()
+        self.column.insertWidget(1, self.strip)
+        self.stop = button(translate("Tapeline", "Stop"), self._stop)
+        self.rows.addRow(row(button(translate("Tapeline", "Undo dragging"), self._reset), self.stop))
+
+    def getStandardButtons(self):  # noqa: N802 (FreeCAD's name)
+        return int(QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel)
+
+    def clicked(self, which):
+        if which == QtGui.QDialogButtonBox.Apply:
+            self.accept()
+
+    def current_order(self):
+        """The order as the panel says it now."""
+        chosen = {name: box.currentData() for name, box in self.boxes.items()}
+        keys = {name: None if value == properties.option(name)["default"] else value for name, value in chosen.items()}
+        if self.region is None:
+            keys["roi_distance"] = self.distance.value() or None
+        curve = self.order.curve
+        if self.dragged:
+            curve = self.editing.curve.to_json()
+            keys.update(targets.finish_keys(self.recipe))
+        return self.order.with_curve(curve, **keys)
+
+    # What happens.
+
+    def _open(self):
+        source = self.order.source
+        if self.ours:
+            self.recipe = targets.recipe_of(self.target)
+            self.offsets = self.recipe.offsets
+            self.say(translate("Tapeline", "Reading the model…"))
+            self.compute(prepared(source, self.recipe), self._opened)
+        else:
+            self.offsets = None
+            self.compute(lambda progress, cancel: models.load(source), lambda model: self._start())
+
+    def _opened(self, made):
+        self.editing.normals, base, _ = made
+        self.editing.start(base, self.offsets)
+        self._start()
+
+    def _start(self):
+        self.say(translate("Tapeline", "Drag the yellow points; the surface follows.") if self.ours else "")
+        self._place()
+        self.solve_exactly()
+
+    def _options_changed(self):
+        self._place()
+        self._rest.start(settings.rest_delay())
+
+    def _place(self):
+        """Verdict and sides, before anything is solved."""
+        order = self.current_order()
+        self.compute(lambda progress, cancel: order.place(progress, cancel), self._placed)
+
+    def _placed(self, region):
+        placement = region.placement
+        self.faces_of_sides = (np.asarray(placement["tension_faces"]), np.asarray(placement["compression_faces"]))
+        on = placement["verdict"] == "on_surface"
+        side = {"left": translate("Tapeline", "left"), "right": translate("Tapeline", "right")}.get(
+            placement["compressed_side"], "")
+        self.verdict.setText(
+            translate("Tapeline", "on the surface; the {} side gives way ({:.0f} % of the line off it)").format(
+                side, 100 * placement["off_fraction"]) if on else
+            translate("Tapeline", "off the surface ({:.0f} % of the line); both sides bend").format(
+                100 * placement["off_fraction"]))
+        if self.result is None:
+            self.overlay.show(region.model.vertices, region.model.faces)
+            self._paint()
+
+    def _paint(self):
+        """Tints the two sides, or not."""
+        if not self.tint.isChecked() or getattr(self, "faces_of_sides", None) is None or self.overlay.count == 0:
+            self.overlay.plain()
+            return
+        classes = np.zeros(self.overlay.count, dtype=np.int32)
+        for number_of_side, faces in enumerate(self.faces_of_sides, 1):
+            classes[faces[faces < len(classes)]] = number_of_side
+        self.overlay.colour_faces(classes, [colours.OUTSIDE, colours.TENSION, colours.COMPRESSION])
+
+    def _dragged(self, curve):
+        self.dragged = True
+        self._rest.stop()
+        self.solver.drop()
+        self.result = None
+        self._preview()
+
+    def _preview(self):
+        order, session, budget = self.current_order(), self.session, settings.preview_budget()
+        self.background.ask(lambda progress, cancel: session.preview(order, budget), self._previewed, self.failed,
+                            interrupt=False)
+
+    def _previewed(self, preview):
+        if preview is None:
+            return
+        self.overlay.show(preview.vertices, preview.faces)
+        self.strip.show_measures(solving.strip_of_preview(preview.measures))
+        self.say(translate("Tapeline", "Preview; the exact surface comes when the mouse rests."))
+        self._rest.start(settings.rest_delay())
+
+    def _released(self):
+        self._rest.start(settings.rest_delay())
+
+    def solve_exactly(self):
+        """The exact result, in the background."""
+        order, session = self.current_order(), self.session
+        self.solver.ask(lambda progress, cancel: session.solve(order, progress, cancel),
+                        lambda result: self._solved(order, result), self._not_solved)
+
+    def _solved(self, order, result):
+        self.progress.hide()
+        self.result = (order.digest, result)
+        self.faces_of_sides = (np.asarray(result.tension_faces), np.asarray(result.compression_faces))
+        self.overlay.show(result.vertices, result.faces)
+        self._paint()
+        self.strip.show_measures(solving.strip_of(result.measures))
+        self.say("\n".join([translate("Tapeline", "Exact.")] + list(result.warnings)))
+
+    def _not_solved(self, error):
+        self.progress.hide()
+        self.strip.show_measures({})
+        self.failed(error)
+
+    def _stop(self):
+        self.background.drop()
+        self.solver.drop()
+        self._rest.stop()
+        self.progress.hide()
+        self.say(translate("Tapeline", "Stopped; drag a point or apply to compute again."))
+
+    def _reset(self):
+        if self.ours and self.editing.base is not None:
+            self.editing.start(self.editing.base, self.offsets)
+            self._dragged(self.editing.curve)
+
+    # Leaving.
+
+    def apply(self):
+        order = self.current_order()
+        self._stop()
+        known = self.result[1] if self.result is not None and self.result[0] == order.digest else None
+        session = self.session
+        result = known or worker.run(lambda progress, cancel: session.solve(order, progress, cancel), self.title)
+        with api.transaction(self.document, self.title):
+            self._store(order, result)
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.move)
+
+    def _store(self, order, result):
+        """Changes the target, makes or changes the move, and gives it the result, so that nothing is solved twice."""
+        if self.dragged:
+            self.target.Offsets = arrays.vectors(self.editing.offsets) if self.editing.moved_by_hand else []
+            api.computed(self.target)
+        if self.move is None:
+            self.move = moves.create_move(self.document, self.target, self.region)
+            self.model.ViewObject.Visibility = False
+        for name, box in self.boxes.items():
+            properties.assign(self.move, {name: box.currentData()})
+        if self.region is None:
+            properties.assign(self.move, {"roi_distance": self.distance.value()})
+        # The result belongs to the curve that was laid on the surface; the target has it now.
+        done = order.with_curve(result.target.to_json(), fair=None, fair_limit=None, on_surface=None) \
+            if self.dragged else order
+        own = solving.order_of(self.move)
+        if own.digest == done.digest:
+            moves.adopt(self.move, own, result)
+        api.computed(self.move)
+
+    def leave(self):
+        self._rest.stop()
+        self.solver.close()
+        super().leave()
+        if self.move is not None and self.result is not None:
+            self.model.ViewObject.Visibility = False
+            self.move.ViewObject.Visibility = True

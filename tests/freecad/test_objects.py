@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The document objects, without a window."""
+import unittest
+
+import FreeCAD as App
+import numpy as np
+from common import HOOD, LINE, PANEL, SLIDE, InADocument
+
+from freecad.tapeline import api, arrays, engine, properties
+
+
+class Objects(InADocument):
+    def test_a_step_file_becomes_a_model_with_its_lines_and_lengths(self):
+        model = api.import_model(HOOD, self.document)
+        self.assertEqual(model.SourceUnit, "mm")
+        self.assertEqual(model.Mesh.CountFacets, model.TriangleCount)
+        lines = api.find_lines(model)
+        self.assertEqual(lines.Count, 1)
+        self.assertAlmostEqual(lines.Shape.Edges[0].Length, 889.144, delta=0.01)
+
+    def test_options_become_properties_with_units_choices_and_defaults(self):
+        model = api.import_model(PANEL, self.document)
+        move = api.create_move(self.document, api.target_line(model))
+        for option in properties.table(["lines", "remesh", "region", "move"]):
+            name = properties.property_name(option["name"])
+            with self.subTest(option["name"]):
+                self.assertIn(name, move.PropertiesList)
+                self.assertTrue(move.getDocumentationOfProperty(name).startswith(option["help"]))
+                self.assertEqual(properties.value_of(move, option), option["default"])
+                if option["choices"] and option["type"] == "str":
+                    self.assertEqual(move.getEnumerationsOfProperty(name), option["choices"])
+        self.assertEqual(str(move.CreaseAngle.Unit), str(App.Units.Unit("deg")))
+        self.assertEqual(str(move.RoiDistance.Unit), str(App.Units.Unit("mm")))
+
+    def test_a_move_puts_its_line_on_the_target_in_doubles(self):
+        model = api.import_model(PANEL, self.document)
+        target = api.target_line(model, slide=SLIDE)
+        move = api.move(target)
+        self.assertEqual(move.Verdict, "on_surface")
+        self.assertLess(move.MeasuredLineError, 1e-9)
+        vertices = arrays.rows(move, "Vertices")
+        self.assertGreater(np.abs(vertices - vertices.astype(np.float32)).max(), 0)
+        self.assertEqual(move.Mesh.CountFacets, len(move.Triangles) // 3)
+
+    def test_the_result_is_computed_again_only_when_something_changed(self):
+        model = api.import_model(PANEL, self.document)
+        target = api.target_line(model, slide=SLIDE)
+        move = api.move(target)
+        before = arrays.digest(arrays.rows(move, "Vertices"))
+        move.touch()
+        self.document.recompute()
+        self.assertEqual(arrays.digest(arrays.rows(move, "Vertices")), before)
+        target.Slide = [0, 30, 0]
+        self.document.recompute()
+        changed = arrays.digest(arrays.rows(move, "Vertices"))
+        self.assertNotEqual(changed, before)
+        move.Method = "arap"
+        self.document.recompute()
+        self.assertNotEqual(arrays.digest(arrays.rows(move, "Vertices")), changed)
+
+    def test_a_document_opens_again_with_the_same_doubles_and_goes_on(self):
+        model = api.import_model(PANEL, self.document)
+        move = api.move(api.target_line(model, slide=SLIDE))
+        name, inputs = move.Name, move.Inputs
+        vertices, triangles = arrays.rows(move, "Vertices"), list(move.Triangles)
+        path = self.folder / "saved.FCStd"
+        self.document.saveAs(str(path))
+        App.closeDocument(self.document.Name)
+        document = App.openDocument(str(path))
+        move = document.getObject(name)
+        self.assertEqual(arrays.rows(move, "Vertices").tobytes(), vertices.tobytes())
+        self.assertEqual(list(move.Triangles), triangles)
+        document.recompute(None, True)
+        self.assertEqual(move.Inputs, inputs)
+        move.Target.Slide = [0, 25, 0]
+        document.recompute()
+        self.assertNotEqual(move.Inputs, inputs)
+        self.assertLess(move.MeasuredLineError, 1e-9)
+
+    def test_undo_and_redo_take_a_move_back_and_again_in_one_step(self):
+        model = api.import_model(PANEL, self.document)
+        target = api.target_line(model, slide=SLIDE)
+        move = api.move(target)
+        name, vertices = move.Name, arrays.rows(move, "Vertices").tobytes()
+        self.document.undo()
+        self.assertIsNone(self.document.getObject(name))
+        self.assertIsNotNone(self.document.getObject(target.Name))
+        self.document.redo()
+        self.assertEqual(arrays.rows(self.document.getObject(name), "Vertices").tobytes(), vertices)
+
+    def test_undo_brings_back_the_doubles_of_a_changed_move(self):
+        model = api.import_model(PANEL, self.document)
+        target = api.target_line(model, slide=SLIDE)
+        move = api.move(target)
+        before = arrays.rows(move, "Vertices").tobytes()
+        with api.transaction(self.document, "Change the slide"):
+            target.Slide = [0, 30, 0]
+            self.document.recompute()
+        self.assertNotEqual(arrays.rows(move, "Vertices").tobytes(), before)
+        self.document.undo()
+        self.document.recompute()
+        self.assertEqual(arrays.rows(move, "Vertices").tobytes(), before)
+
+    def test_a_second_move_starts_from_the_first_ones_result(self):
+        model = api.import_model(PANEL, self.document)
+        first = api.move(api.target_line(model, slide=SLIDE))
+        second = api.move(api.target_line(first, slide=[0, -15, 0]))
+        self.assertLess(second.MeasuredLineError, 1e-9)
+        self.assertEqual(second.Model, first)
+        before = second.Inputs
+        first.Target.Slide = [0, 22, 0]
+        self.document.recompute()
+        self.assertNotEqual(second.Inputs, before)
+
+    def test_a_failed_function_leaves_no_object_behind(self):
+        model = api.import_model(PANEL, self.document)
+        there = len(self.document.Objects)
+        with self.assertRaises(engine.UserError):
+            api.target_line(model, "7")
+        self.assertEqual(len(self.document.Objects), there)
+
+
+if __name__ == "__main__":
+    unittest.main()
