@@ -89,7 +89,7 @@ std::vector<int> walk(const EndGraph& graph, int curves)
     }
     // A closed line begins with the first curve.
     if (single == graph.ends.end()) {
-        std::ranges::rotate(order, std::ranges::find_if(order, [](int end) { return end / 2 == 0; }));
+        std::rotate(order.begin(), std::ranges::find_if(order, [](int end) { return end / 2 == 0; }), order.end());
     }
     return order;
 }
@@ -139,7 +139,7 @@ Result<TargetLine> join_lines(const std::vector<BSplineData>& curves, double tol
     for (const BSplineData& curve : curves) {
         BSplineData open = curve;
         open.closed = false;
-        const auto line = TargetLine::from_data(open);
+        auto line = TargetLine::from_data(open);
         if (!line) {
             return line;
         }

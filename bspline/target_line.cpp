@@ -159,11 +159,13 @@ Vec3 TargetLine::tangent(double parameter) const
         return d.normalized();
     }
     // Coinciding control points: the direction of a short chord around the point.
-    for (double h = 1e-6; h < 1; h *= 10) {
+    double h = 1e-6;
+    while (h < 1) {
         const Vec3 chord = point(t + h * range) - point(t - h * range);
         if (chord.norm() > impl_->tiny) {
             return chord.normalized();
         }
+        h *= 10;
     }
     return Vec3::UnitX();
 }

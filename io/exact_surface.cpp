@@ -181,12 +181,12 @@ struct Foot {
 };
 
 /// Damped Newton steps on |S(u, v) - p|², from a start that is near already.
-Foot newton(const Face& face, const Vec3& p, Vec2 uv)
+Foot newton(const Face& face, const Vec3& p, const Vec2& start)
 {
     gp_Pnt s;
     gp_Vec du, dv, duu, dvv, duv;
     const auto gap_at = [&](const Vec2& x) -> Vec3 { return vec(face.surface->Value(x.x(), x.y()).XYZ()) - p; };
-    Foot foot{uv, gap_at(uv) + p, false};
+    Foot foot{start, gap_at(start) + p, false};
     double damping = 0;
     for (int i = 0; i < 50; ++i) {
         face.surface->D2(foot.uv.x(), foot.uv.y(), s, du, dv, duu, dvv, duv);

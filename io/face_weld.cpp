@@ -173,8 +173,7 @@ private:
             }
         }
         std::ranges::sort(model.cad_edges);
-        const auto repeated = std::ranges::unique(model.cad_edges);
-        model.cad_edges.erase(repeated.begin(), repeated.end());
+        model.cad_edges.erase(std::unique(model.cad_edges.begin(), model.cad_edges.end()), model.cad_edges.end());
     }
 
     /// Where several nodes became one vertex, the first one gives the place.

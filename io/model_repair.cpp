@@ -208,8 +208,7 @@ void split_vertices(Model& model, const Topology& topology, const std::vector<ch
         }
     }
     std::ranges::sort(renewed);
-    const auto repeated = std::ranges::unique(renewed);
-    renewed.erase(repeated.begin(), repeated.end());
+    renewed.erase(std::unique(renewed.begin(), renewed.end()), renewed.end());
     model.cad_edges = std::move(renewed);
 }
 

@@ -303,7 +303,8 @@ Result<void> draw_panels(const std::filesystem::path& png, const std::vector<Sec
     const Canvas canvas(static_cast<int>(std::max(width, 2 * panel_width)), static_cast<int>(height));
     draw_head(canvas, layout, std::max(width, 2 * panel_width));
     for (int i = 0; i < count; ++i) {
-        const double x = gap + (i % columns) * (panel_width + gap), y = head + (i / columns) * (panel_height + gap);
+        const int column = i % columns, row = i / columns;
+        const double x = gap + column * (panel_width + gap), y = head + row * (panel_height + gap);
         PanelPainter(canvas, panels[i], layout, x, y).paint(i + 1, count);
     }
     return canvas.write(png);

@@ -26,7 +26,7 @@ struct CadEdgeTag {
     int a = -1;
     int b = -1;
     int cad_edge = -1; ///< number of the CAD edge, from 0, in the order of the CAD file
-    auto operator<=>(const CadEdgeTag&) const = default;
+    auto operator<=>(const CadEdgeTag&) const = default; // NOLINT(modernize-use-nullptr): a 0 of the compiler's own
 };
 
 /// What Tapeline works on: one conforming, consistently oriented, edge-manifold mesh, with where it came from.

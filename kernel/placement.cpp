@@ -41,7 +41,7 @@ PlacementResult decide_placement(const Mesh& mesh, const Region& region, const C
     double moved = 0, lifted = 0, tangential_left = 0, tangential_right = 0, normal_left = 0, normal_right = 0,
            path = 0;
     for (int i = 0; i < edge_count(line); ++i) {
-        const auto j = (i + 1) % n;
+        const size_t j = i + 1U < n ? i + 1U : 0;
         const int a = line.vertices[i], b = line.vertices[j];
         const Vec3 edge = Vec3(mesh.V.row(b)) - Vec3(mesh.V.row(a));
         const double length = edge.norm();

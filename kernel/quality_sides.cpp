@@ -122,12 +122,14 @@ StrainedParts strained_parts(const Mesh& rest, const std::pair<std::vector<int>,
             std::ranges::min_element(line, {}, [&](int v) { return (Vec3(rest.V.row(v)) - centre).squaredNorm(); });
         return along[nearest - line.begin()] == compressed;
     };
-    const auto swapped_compressed = std::ranges::stable_partition(parts.compressed, follows_usual);
-    const auto swapped_tension = std::ranges::stable_partition(parts.tension, follows_usual);
-    const std::vector<int> to_tension(swapped_compressed.begin(), swapped_compressed.end());
-    const std::vector<int> to_compressed(swapped_tension.begin(), swapped_tension.end());
-    parts.compressed.erase(swapped_compressed.begin(), swapped_compressed.end());
-    parts.tension.erase(swapped_tension.begin(), swapped_tension.end());
+    const auto take_swapped = [&](std::vector<int>& part) {
+        const auto swapped = std::stable_partition(part.begin(), part.end(), follows_usual);
+        const std::vector<int> taken(swapped, part.end());
+        part.erase(swapped, part.end());
+        return taken;
+    };
+    const std::vector<int> to_tension = take_swapped(parts.compressed);
+    const std::vector<int> to_compressed = take_swapped(parts.tension);
     std::ranges::copy(to_compressed, std::back_inserter(parts.compressed));
     std::ranges::copy(to_tension, std::back_inserter(parts.tension));
     std::ranges::sort(parts.compressed);

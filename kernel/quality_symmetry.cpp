@@ -108,7 +108,8 @@ std::vector<int> partners(const Positions& V, const VertexSearch& search, const 
         return missing;
     };
     const int stride = std::max(1, count / 64);
-    if (missing_among(stride) > 0.3 * (1 + (count - 1) / stride)) {
+    const int tried = 1 + (count - 1) / stride;
+    if (missing_among(stride) > 0.3 * tried) {
         return {};
     }
     std::vector<int> partner(count);

@@ -28,8 +28,7 @@ std::vector<int> tilting_rim(const Model& model, const Region& region, RimContro
         }
     }
     std::ranges::sort(tilting);
-    const auto repeats = std::ranges::unique(tilting);
-    tilting.erase(repeats.begin(), repeats.end());
+    tilting.erase(std::unique(tilting.begin(), tilting.end()), tilting.end());
     std::erase_if(tilting, [&](int v) { return !std::ranges::binary_search(region.fixed_rim, v); });
     return tilting;
 }

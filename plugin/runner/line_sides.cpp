@@ -23,10 +23,10 @@ Correspondence with_rest(const Model& model, Correspondence line)
     for (const FeatureLine& whole : find_feature_lines(model)) {
         std::vector<int> vertices = whole.vertices;
         for (const bool turned : {false, true}) {
-            const auto at = std::ranges::search(vertices, used);
-            if (!at.empty() && !whole.closed) {
-                line.before.assign(std::make_reverse_iterator(at.begin()), vertices.rend());
-                line.after.assign(at.end(), vertices.end());
+            const auto at = std::search(vertices.begin(), vertices.end(), used.begin(), used.end());
+            if (at != vertices.end() && !whole.closed) {
+                line.before.assign(std::make_reverse_iterator(at), vertices.rend());
+                line.after.assign(at + static_cast<std::ptrdiff_t>(used.size()), vertices.end());
                 return line;
             }
             if (!turned) {
