@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/sliding.h"
 
+#include "kernel/vertex_fan.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -21,22 +23,11 @@ constexpr double same_angle = 1e-9;
 constexpr double vertex_hit = 1e-12;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-double wrap(double angle) { return angle - 2 * pi * std::floor(angle / (2 * pi)); }
-
-/// The triangles around a vertex that hang together over edges, counter-clockwise. Triangle k spans the polar angles
-/// from start[k] to start[k + 1]; start.back() is the angle sum.
-struct Fan {
-    std::vector<int> faces;
-    std::vector<double> start;
-    bool closed = false;
-
-    double total() const { return start.back(); }
-};
 
 /// A place to go on from: a vertex, the fan around it and the polar angle in that fan.
 struct Departure {
     int vertex = -1;
-    Fan fan;
+    VertexFan fan;
     double angle = 0;
 };
 
@@ -44,7 +35,6 @@ class Walk {
 public:
     Walk(const Mesh& mesh, const Topology& topology) : mesh_(mesh), topology_(topology) {}
 
-    std::vector<Fan> fans(int v) const;
     std::optional<Departure> depart(int v, const Vec3& u) const;
     MeshPoint run(Departure departure, double length);
     MeshPoint run(const MeshPoint& from, const Vec3& direction, double length);
@@ -52,10 +42,7 @@ public:
 
 private:
     Vec3 position(int v) const { return mesh_.V.row(v); }
-    int corner(int face, int v) const;
     int across(int face, int edge) const;
-    Fan fan_of(int v, int face) const;
-    double corner_angle(int face, int v) const;
     void enter(const Departure& departure);
     MeshPoint go(double length);
     void cross_edge(int face, int first);
@@ -71,120 +58,15 @@ private:
     Vec2 ray_;
 };
 
-int Walk::corner(int face, int v) const { return mesh_.F(face, 0) == v ? 0 : (mesh_.F(face, 1) == v ? 1 : 2); }
-
 int Walk::across(int face, int edge) const
 {
     return topology_.edge(edge).face_count == 2 ? topology_.face_across(face, edge) : -1;
 }
 
-double Walk::corner_angle(int face, int v) const
-{
-    const int k = corner(face, v);
-    const Vec3 a = position(mesh_.F(face, (k + 1) % 3)) - position(v);
-    const Vec3 b = position(mesh_.F(face, (k + 2) % 3)) - position(v);
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-Fan Walk::fan_of(int v, int face) const
-{
-    // Back, clockwise, to where the fan begins; then once around.
-    const size_t most = topology_.vertex_faces(v).size();
-    Fan fan;
-    int begin = face;
-    for (size_t i = 0; i < most; ++i) {
-        const int before = across(begin, topology_.face_edges(begin)[corner(begin, v)]);
-        if (before < 0) {
-            break;
-        }
-        begin = before;
-        if (begin == face) {
-            fan.closed = true;
-            break;
-        }
-    }
-    fan.start.push_back(0);
-    for (int t = begin; t >= 0 && fan.faces.size() < most;) {
-        fan.faces.push_back(t);
-        fan.start.push_back(fan.start.back() + corner_angle(t, v));
-        t = across(t, topology_.face_edges(t)[(corner(t, v) + 2) % 3]);
-        if (t == begin) {
-            break;
-        }
-    }
-    return fan;
-}
-
-std::vector<Fan> Walk::fans(int v) const
-{
-    std::vector<Fan> all;
-    for (const int t : topology_.vertex_faces(v)) {
-        const bool known = std::ranges::any_of(
-            all, [t](const Fan& fan) { return std::ranges::find(fan.faces, t) != fan.faces.end(); });
-        if (!known) {
-            all.push_back(fan_of(v, t));
-        }
-    }
-    return all;
-}
-
-/// The direction u in the polar angles of a fan: the angles of the fan's edges, scaled by their opening as seen along
-/// the normal, are turned so that they fit the projected edges best (exactly, on a flat fan).
-std::optional<double> polar_angle(const std::vector<Vec3>& spokes, const Fan& fan, const Vec3& normal, const Vec3& u)
-{
-    const Vec3 X = normal.unitOrthogonal();
-    const Vec3 Y = normal.cross(X);
-    std::vector<double> seen;
-    double opening = 0;
-    for (const Vec3& spoke : spokes) {
-        seen.push_back(std::atan2(spoke.dot(Y), spoke.dot(X)));
-        if (seen.size() > 1) {
-            opening += std::remainder(seen.back() - seen[seen.size() - 2], 2 * pi);
-        }
-    }
-    if (!(fan.total() > 0)) {
-        return {};
-    }
-    double scale = fan.closed ? 2 * pi / fan.total() : opening / fan.total();
-    if (!(scale > 0.1 && scale < 10)) {
-        scale = 1;
-    }
-    Vec2 turn = Vec2::Zero();
-    for (size_t k = 0; k < spokes.size(); ++k) {
-        const double weight = std::hypot(spokes[k].dot(X), spokes[k].dot(Y));
-        const double angle = seen[k] - scale * fan.start[k];
-        turn += weight * Vec2(std::cos(angle), std::sin(angle));
-    }
-    const double angle = wrap(std::atan2(u.dot(Y), u.dot(X)) - std::atan2(turn.y(), turn.x())) / scale;
-    if (fan.closed) {
-        return std::min(angle, fan.total());
-    }
-    if (angle <= fan.total() + same_angle) {
-        return std::min(angle, fan.total());
-    }
-    return angle >= 2 * pi / scale - same_angle ? std::optional<double>(0) : std::nullopt;
-}
-
 std::optional<Departure> Walk::depart(int v, const Vec3& u) const
 {
-    for (Fan& fan : fans(v)) {
-        Vec3 normal = Vec3::Zero();
-        std::vector<Vec3> spokes;
-        for (const int t : fan.faces) {
-            const int k = corner(t, v);
-            const Vec3 a = position(mesh_.F(t, (k + 1) % 3)) - position(v);
-            const Vec3 b = position(mesh_.F(t, (k + 2) % 3)) - position(v);
-            normal += a.cross(b);
-            spokes.push_back(a);
-            if (!fan.closed && t == fan.faces.back()) {
-                spokes.push_back(b);
-            }
-        }
-        const double size = normal.norm();
-        if (!(size > 0)) {
-            continue;
-        }
-        if (const auto angle = polar_angle(spokes, fan, normal / size, u)) {
+    for (VertexFan& fan : fans_at(mesh_, topology_, v)) {
+        if (const auto angle = polar_angle(mesh_, v, fan, u)) {
             return Departure{v, std::move(fan), *angle};
         }
     }
@@ -194,13 +76,13 @@ std::optional<Departure> Walk::depart(int v, const Vec3& u) const
 /// Lays out the triangle of the fan that holds the departure's angle, with the vertex at the origin.
 void Walk::enter(const Departure& departure)
 {
-    const Fan& fan = departure.fan;
+    const VertexFan& fan = departure.fan;
     size_t k = 0;
     while (k + 1 < fan.faces.size() && departure.angle >= fan.start[k + 1]) {
         ++k;
     }
     face_ = fan.faces[k];
-    const int c = corner(face_, departure.vertex);
+    const int c = corner_of(mesh_, face_, departure.vertex);
     first_ = (c + 1) % 3;
     const double opening = fan.start[k + 1] - fan.start[k];
     const double a = (position(mesh_.F(face_, first_)) - position(departure.vertex)).norm();
@@ -237,8 +119,8 @@ void Walk::cross_edge(int face, int first)
 std::optional<Departure> Walk::pass_vertex(int exit_corner) const
 {
     const int v = mesh_.F(face_, exit_corner);
-    Departure next{v, fan_of(v, face_), 0};
-    const Fan& fan = next.fan;
+    Departure next{v, fan_at(mesh_, topology_, v, face_), 0};
+    const VertexFan& fan = next.fan;
     const size_t k = std::ranges::find(fan.faces, face_) - fan.faces.begin();
     const Vec2 spoke = q_[(exit_corner + 1) % 3] - q_[exit_corner];
     const double back = std::atan2(cross(spoke, -ray_), spoke.dot(-ray_));
@@ -259,7 +141,7 @@ std::optional<Departure> Walk::pass_vertex(int exit_corner) const
     return next;
 }
 
-MeshPoint Walk::at_vertex(int face, int v) const { return {face, Vec3::Unit(corner(face, v))}; }
+MeshPoint Walk::at_vertex(int face, int v) const { return {face, Vec3::Unit(corner_of(mesh_, face, v))}; }
 
 MeshPoint Walk::in_face(const Vec2& q) const
 {
@@ -340,7 +222,7 @@ MeshPoint Walk::go(double length)
         if (next < 0) {
             return in_face(exit);
         }
-        cross_edge(next, corner(next, mesh_.F(face_, first_)));
+        cross_edge(next, corner_of(mesh_, next, mesh_.F(face_, first_)));
     }
     return in_face(q_[first_]);
 }
