@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/mesh_grading.h"
+#include "kernel/mesh_parts.h"
 #include "kernel/remesh_stages.h"
 
 #include <algorithm>
@@ -7,36 +8,6 @@
 namespace tapeline {
 
 namespace {
-
-/// Numbers the edge-connected parts that the kept edges leave; one number per triangle.
-std::vector<int> parts_of(const Mesh& mesh, const std::vector<VertexPair>& kept)
-{
-    const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
-    std::vector<int> part(mesh.F.rows(), -1);
-    int count = 0;
-    for (int seed = 0; seed < mesh.F.rows(); ++seed) {
-        if (part[seed] >= 0) {
-            continue;
-        }
-        std::vector<int> stack{seed};
-        part[seed] = count;
-        while (!stack.empty()) {
-            const int t = stack.back();
-            stack.pop_back();
-            for (const int e : topology.face_edges(t)) {
-                const MeshEdge& edge = topology.edge(e);
-                const int next = topology.face_across(t, e);
-                if (next >= 0 && part[next] < 0 &&
-                    !std::binary_search(kept.begin(), kept.end(), VertexPair{edge.a, edge.b})) {
-                    part[next] = count;
-                    stack.push_back(next);
-                }
-            }
-        }
-        ++count;
-    }
-    return part;
-}
 
 /// Improves the remeshed triangles on the input's surface; vertices that move are no longer old ones.
 void grade(IsotropicResult& result, const IsotropicInput& input)
@@ -96,7 +67,8 @@ Result<Remeshed> remesh_patch(const Divided& divided, const RemeshOptions& optio
         }
     }
     std::sort(input.kept_edges.begin(), input.kept_edges.end());
-    out.part = parts_of(input.mesh, input.kept_edges);
+    const Topology topology(input.mesh.F, static_cast<int>(input.mesh.V.rows()));
+    out.part = mesh_parts(topology, input.kept_edges);
     input.part = out.part;
     input.edge_length = options.max_edge_mm;
     input.iterations = options.iterations;

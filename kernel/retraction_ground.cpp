@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/retraction_ground.h"
 
+#include "kernel/mesh_parts.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -38,33 +40,6 @@ Vec3 closest_in_triangle(const Mesh& mesh, int t, const Vec3& p)
     return inside ? foot : best;
 }
 
-/// Number of the part that each triangle belongs to: what hangs together over edges that two triangles share.
-std::vector<int> parts_of(const Topology& topology)
-{
-    std::vector<int> part(topology.face_count(), -1);
-    int count = 0;
-    for (int seed = 0; seed < topology.face_count(); ++seed) {
-        if (part[seed] >= 0) {
-            continue;
-        }
-        std::vector<int> front{seed};
-        part[seed] = count;
-        while (!front.empty()) {
-            const int t = front.back();
-            front.pop_back();
-            for (const int e : topology.face_edges(t)) {
-                const int next = topology.edge(e).face_count == 2 ? topology.face_across(t, e) : -1;
-                if (next >= 0 && part[next] < 0) {
-                    part[next] = count;
-                    front.push_back(next);
-                }
-            }
-        }
-        ++count;
-    }
-    return part;
-}
-
 } // namespace
 
 RetractionGround::RetractionGround(const Mesh& inner, const std::vector<VertexPair>& walls)
@@ -82,7 +57,7 @@ RetractionGround::RetractionGround(const Mesh& inner, const std::vector<VertexPa
         for (int v = 0; v < static_cast<int>(cut.to_vertex.size()); ++v) {
             local_[cut.to_vertex[v]] = v;
         }
-        part_ = parts_of(topology_);
+        part_ = mesh_parts(topology_);
     }
     normals_ = vertex_normals(mesh_);
     std::vector<std::vector<int>> faces;
