@@ -125,6 +125,7 @@ void add_result(py::module_& module)
         .def_property_readonly("table", [](const ResultObject& self) { return outcome_table(*self.outcome); })
         .def_property_readonly("warnings", [](const ResultObject& self) { return self.outcome->warnings; })
         .def_property_readonly("maps", &maps)
+        .def("sections", &sections_of, py::arg("stations") = 9)
         .def("write", &write, py::arg("path") = py::none(), py::kw_only(), py::arg("progress") = py::none(),
              py::arg("cancel") = py::none());
 }

@@ -54,6 +54,11 @@ struct ResultObject {
     std::shared_ptr<const QualityMaps> maps = {}; ///< made when first asked for
 };
 
+/// The sections across the moved line, from one end to the other: per section a dict of `compressed_before`,
+/// `compressed_after`, `tension_before` and `tension_after`, each with `points` (n×3 [mm], from the line outwards),
+/// `curvature` (n×3 [1/mm], towards the centre) and `inflections` (k×3 [mm]).
+py::list sections_of(const ResultObject& result, int stations);
+
 void add_models(py::module_& module);
 void add_targets(py::module_& module);
 void add_moves(py::module_& module);

@@ -65,6 +65,5 @@ class ImportPanel(Panel):
         if self.source is not None:
             self.source.ViewObject.Visibility = False
         Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(self.model)
         Gui.getDocument(self.model.Document.Name).activeView().viewIsometric()
         Gui.SendMsgToActiveView("ViewFit")

@@ -32,6 +32,7 @@ class MovePanel(Panel):
         self.solver = worker.Latest(self.form)
         self.solver.on_progress = self.show_progress
         self.result = None
+        self.applied = False
         self.dragged = False  # since the panel opened
         self.overlay = self.decorate(SurfaceOverlay(self.view))
         self.decorate(SavedVisibility(self.model, self.target, move))
@@ -166,6 +167,7 @@ class MovePanel(Panel):
         self._rest.stop()
         self.solver.drop()
         self.result = None
+        self.say(translate("Tapeline", "Following…"))
         self._preview()
 
     def _preview(self):
@@ -226,8 +228,8 @@ class MovePanel(Panel):
         result = known or worker.run(lambda progress, cancel: session.solve(order, progress, cancel), self.title)
         with api.transaction(self.document, self.title):
             self._store(order, result)
+        self.applied = True
         Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(self.move)
 
     def _store(self, order, result):
         """Changes the target, makes or changes the move, and gives it the result, so that nothing is solved twice."""
@@ -236,7 +238,6 @@ class MovePanel(Panel):
             api.computed(self.target)
         if self.move is None:
             self.move = moves.create_move(self.document, self.target, self.region)
-            self.model.ViewObject.Visibility = False
         for name, box in self.boxes.items():
             properties.assign(self.move, {name: box.currentData()})
         if self.region is None:
@@ -253,6 +254,6 @@ class MovePanel(Panel):
         self._rest.stop()
         self.solver.close()
         super().leave()
-        if self.move is not None and self.result is not None:
+        if self.applied:
             self.model.ViewObject.Visibility = False
             self.move.ViewObject.Visibility = True

@@ -159,4 +159,3 @@ class RegionPanel(Panel):
             self.region.ProtectedFaces = sorted(self.protected)
             api.computed(self.region)
         Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(self.target)

@@ -163,4 +163,3 @@ class TargetPanel(Panel):
             self.target.Offsets = arrays.vectors(self.editing.offsets) if self.editing.moved_by_hand else []
             api.computed(self.target)
         Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(self.target)
