@@ -18,6 +18,12 @@ endforeach()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/resources/schema" DESTINATION "${CMAKE_INSTALL_DATADIR}/tapeline")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
+# The FreeCAD addon, laid out as in the source folder: link share/tapeline/freecad into FreeCAD's Mod folder.
+install(FILES "${PROJECT_SOURCE_DIR}/package.xml" "${PROJECT_SOURCE_DIR}/LICENSE"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/tapeline/freecad")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/plugin/freecad"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/tapeline/freecad/plugin" PATTERN "__pycache__" EXCLUDE)
+
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/TapelineConfig.cmake.in"
                               "${PROJECT_BINARY_DIR}/TapelineConfig.cmake" INSTALL_DESTINATION "${package_dir}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/TapelineConfigVersion.cmake" COMPATIBILITY SameMinorVersion)

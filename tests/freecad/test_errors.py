@@ -142,6 +142,7 @@ class Errors(InADocument):
 
 # Opens the document and solves again; the first report of the solver's progress leaves a sign.
 SOLVE = """
+import pathlib
 import FreeCAD as App
 from freecad.tapeline import solving
 document = App.openDocument({path!r})

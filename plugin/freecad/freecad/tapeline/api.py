@@ -14,7 +14,7 @@ import contextlib
 
 import FreeCAD as App
 
-from . import engine, jobs, solving
+from . import engine, jobs, models, solving
 from .objects import kind_of
 from .objects.line_set import create_lines
 from .objects.model import create_model
@@ -84,6 +84,11 @@ def move(target, region=None, model=None, line=None, **keys):
     """The parametric move of a line to its target, solved."""
     with transaction(target.Document, translate("Tapeline", "Move feature line")):
         return computed(create_move(target.Document, target, region, model, line, **keys))
+
+
+def engine_model(obj):
+    """The engine's model (tapeline.Model) of a styling model, a move, or a Part or Mesh object."""
+    return models.load(models.source_of(obj))
 
 
 def result(move_object):

@@ -2,7 +2,7 @@
 """Registers the workbench with FreeCAD's window; everything heavy is imported when it is first used."""
 import FreeCADGui as Gui
 
-from . import PREFERENCES_PAGE, TRANSLATIONS, icon
+from . import ICONS, PREFERENCES_PAGE, TRANSLATIONS, icon
 from .text import QT_TRANSLATE_NOOP, complain, translate
 
 
@@ -41,6 +41,7 @@ class TapelineWorkbench(Gui.Workbench):
         return "Gui::PythonWorkbench"
 
 
+Gui.addIconPath(ICONS)
 Gui.addLanguagePath(TRANSLATIONS)
 Gui.updateLocale()
 Gui.addPreferencePage(PREFERENCES_PAGE, QT_TRANSLATE_NOOP("QObject", "Tapeline"))

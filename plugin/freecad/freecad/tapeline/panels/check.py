@@ -4,6 +4,7 @@ import numpy as np
 from PySide import QtGui
 
 from .. import settings, solving
+from ..objects import kind_of
 from ..scene import colours
 from ..scene.overlay import SurfaceOverlay
 from ..scene.sections import SectionCombs
@@ -25,7 +26,7 @@ class CheckPanel(Panel):
         self._build()
         self.overlay = self.decorate(SurfaceOverlay(self.view))
         self.combs = self.decorate(SectionCombs(self.view))
-        self.decorate(SavedVisibility(move, move.Model))
+        self.decorate(SavedVisibility(*[obj for obj in self.document.Objects if kind_of(obj)]))
         order = self.order
         self.say(translate("Tapeline", "Measuring…"))
 
@@ -59,7 +60,7 @@ class CheckPanel(Panel):
         self.table = QtGui.QTableWidget(0, 2)
         self.table.setObjectName("measures")
         self.table.setHorizontalHeaderLabels([translate("Tapeline", "Measure"), translate("Tapeline", "Value")])
-        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
         self.table.verticalHeader().hide()
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.table.setMinimumHeight(320)
@@ -82,7 +83,7 @@ class CheckPanel(Panel):
         for i, cells in enumerate(rows):
             for j, cell in enumerate(cells):
                 self.table.setItem(i, j, QtGui.QTableWidgetItem(cell.strip()))
-        self.table.resizeColumnsToContents()
+        self.table.resizeRowsToContents()
 
     def paint(self):
         """Draws what the boxes say."""

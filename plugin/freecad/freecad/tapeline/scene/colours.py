@@ -15,10 +15,12 @@ _RISING = np.array([[0.93, 0.93, 0.93], [0.99, 0.85, 0.46], [0.95, 0.55, 0.24], 
 
 
 def _mix(table, t):
-    t = np.clip(np.nan_to_num(t), 0, 1) * (len(table) - 1)
+    """Colours between those of a table; grey where there is no value."""
+    known = np.isfinite(t)
+    t = np.clip(np.where(known, t, 0), 0, 1) * (len(table) - 1)
     low = np.minimum(t.astype(int), len(table) - 2)
     part = (t - low)[:, None]
-    return table[low] * (1 - part) + table[low + 1] * part
+    return np.where(known[:, None], table[low] * (1 - part) + table[low + 1] * part, OUTSIDE)
 
 
 def scale_of(values, percent=98.0):
@@ -45,4 +47,5 @@ def rising(values, scale=None):
 def signs(values, dead_band=0.0):
     """Blue for negative, red for positive, grey within the dead band."""
     values = np.asarray(values)
-    return _DIVERGING[np.where(values > dead_band, 4, np.where(values < -dead_band, 0, 2))]
+    chosen = _DIVERGING[np.where(values > dead_band, 4, np.where(values < -dead_band, 0, 2))]
+    return np.where(np.isfinite(values)[:, None], chosen, OUTSIDE)

@@ -12,7 +12,7 @@ class LabelGroup:
     """A set of short texts; `root` is the node to add to a scene."""
 
     def __init__(self):
-        self.root = coin.SoSeparator()
+        self.root = coin.SoAnnotation()  # in front, or the surface would swallow half of a text
 
     def show(self, labels):
         """Shows (text, point) pairs instead of what was there."""
