@@ -35,7 +35,7 @@ double MoveResult::error_estimate_mm() const
 
 namespace {
 
-/// The whole region deforms in one piece: off-surface moves and the plain methods.
+/// The whole region deforms in one piece: targets that rise straight from the surface, and the plain methods.
 Result<void> move_uncut(MoveState& state, const Progress& progress)
 {
     state.keep_whole();
@@ -75,7 +75,14 @@ Result<MoveResult> move_feature_line(const Model& model, const FeatureLine& line
     if (!placed) {
         return tl::unexpected(placed.error());
     }
-    const auto moved = state.splits() ? move_split(state, progress) : move_uncut(state, progress);
+    const double share = state.deforms_whole() ? (state.splits() ? 0.3 : 1) : 0;
+    Result<void> moved;
+    if (state.deforms_whole()) {
+        moved = move_uncut(state, progress.part(0, share));
+    }
+    if (moved && state.splits()) {
+        moved = move_split(state, progress.part(share, 1));
+    }
     if (!moved) {
         return tl::unexpected(moved.error());
     }

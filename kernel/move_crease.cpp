@@ -35,7 +35,7 @@ Result<void> MoveState::restore_lost_crease(const Progress& progress)
     return timed("crease", [&]() -> Result<void> {
         const FeatureLine& line = result_.correspondence.line;
         const Mesh& rest = extended_.model.mesh;
-        const std::vector<double> wanted = signed_crease_angles(rest, rest.V, line);
+        std::vector<double> wanted = signed_crease_angles(rest, rest.V, line);
         const std::vector<double> found = signed_crease_angles(rest, result_.V, line);
         // What is left of the crease counts in its old sense: a crease that turned inside out is lost too.
         std::vector<double> kept, changed;
@@ -44,12 +44,13 @@ Result<void> MoveState::restore_lost_crease(const Progress& progress)
             changed.push_back(std::abs(wanted[i] - found[i]));
         }
         result_.crease.lost_before_restoration = mean_along(rest, line, changed);
-        if (deformer_ == Deformer::plate) {
-            return {}; // the plate was asked beforehand what becomes of the crease
-        }
-        const bool gone = mean_along(rest, line, kept) < options_.crease_loss * mean_along(rest, line, sizes(wanted));
-        if (options_.crease == CreaseRestoration::off || (options_.crease == CreaseRestoration::automatic && !gone)) {
+        const double angle = mean_along(rest, line, sizes(wanted));
+        const double share = restored_share(angle > 0 ? mean_along(rest, line, kept) / angle : 1);
+        if (share == 0) {
             return {};
+        }
+        for (size_t i = 0; i < wanted.size(); ++i) {
+            wanted[i] = found[i] + share * (wanted[i] - found[i]);
         }
         // The published method turns the compressed side; the tension side leaves the former on the old surface.
         const int bent = method_.as_published ? compression() : tension();
@@ -59,6 +60,18 @@ Result<void> MoveState::restore_lost_crease(const Progress& progress)
         }
         return done.and_then([&] { return sew_sides(); });
     });
+}
+
+double MoveState::restored_share(double kept) const
+{
+    if (options_.crease == CreaseRestoration::off) {
+        return 0;
+    }
+    constexpr double fully = 0.8; // of the share below which an angle counts as lost
+    const bool always = options_.crease == CreaseRestoration::on;
+    const double lost = always ? 1 : 1 - smooth_step(kept, fully * options_.crease_loss, options_.crease_loss);
+    // A plate was asked beforehand what becomes of the crease.
+    return (1 - plate_share_) * lost;
 }
 
 Result<void> MoveState::bend_side(int side, const std::vector<double>& wanted)

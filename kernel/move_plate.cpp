@@ -9,17 +9,19 @@ namespace tapeline {
 
 bool MoveState::keeps_crease() const
 {
-    return deformer_ == Deformer::plate &&
-           (options_.line_crease == LineCrease::keep || options_.crease == CreaseRestoration::on);
+    return plate_share_ == 1 && (options_.line_crease == LineCrease::keep || options_.crease == CreaseRestoration::on);
 }
 
-Deformer MoveState::deformer_for_target() const
+double MoveState::plate_share() const
 {
+    if (method_.deformer == Deformer::plate) {
+        return 1;
+    }
     // Stiff fibres carry the pull of a side's stretched parts into its compressed ones, which lie at their place after
     // the retraction; a plate does not. The paper leaves such targets open (Section 7).
-    constexpr double clear = 0.2;
-    const bool zigzag = splits() && runs_into(0, clear) && runs_into(1, clear);
-    return options_.method == Method::asan_fl && zigzag ? Deformer::plate : method_.deformer;
+    constexpr double none = 0.1, clear = 0.3;
+    const bool can = options_.method == Method::asan_fl && splits();
+    return can ? smooth_step(std::min(runs_into(0), runs_into(1)), none, clear) : 0;
 }
 
 Result<void> MoveState::check_plate_options() const
@@ -44,7 +46,7 @@ Result<void> MoveState::check_plate_options() const
 std::vector<int> MoveState::tilting_vertices(const SideMesh& side) const
 {
     // Uncut, a plate that is smooth across the line keeps the crease by itself (method.md A9).
-    std::vector<int> tilting = splits() || !keeps_crease() ? side.line : std::vector<int>{};
+    std::vector<int> tilting = cut_ || !keeps_crease() ? side.line : std::vector<int>{};
     const std::vector<int> rim =
         tilting_rim(extended_.model, extended_.region, options_.rim, options_.rim_crease_angle);
     for (const std::vector<int>* list : {&side.fixed, &side.guided}) {

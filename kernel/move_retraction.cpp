@@ -41,8 +41,9 @@ void MoveState::warn_of_lines()
     }
 }
 
-bool MoveState::runs_into(int side, double share) const
+double MoveState::runs_into(int side) const
 {
+    double farthest = 0;
     const FeatureLine& line = result_.correspondence.line;
     const Topology topology(model_.mesh.F, static_cast<int>(model_.mesh.V.rows()));
     const size_t edges = line.vertices.size() - (line.closed ? 0 : 1);
@@ -56,11 +57,9 @@ bool MoveState::runs_into(int side, double share) const
         const Vec3 direction = (Vec3(model_.mesh.V.row(b)) - Vec3(model_.mesh.V.row(a))).normalized();
         const Vec3 conormal = triangle_normal(model_.mesh, t).cross(direction);
         const Vec3 u = 0.5 * (result_.correspondence.displacements[i] + result_.correspondence.displacements[j]);
-        if (u.dot(conormal) > share * result_.placement.u_max_mm) {
-            return true;
-        }
+        farthest = std::max(farthest, u.dot(conormal));
     }
-    return false;
+    return result_.placement.u_max_mm > 0 ? farthest / result_.placement.u_max_mm : 0;
 }
 
 Result<void> MoveState::retract_side(int side)
@@ -76,6 +75,9 @@ Result<void> MoveState::retract_side(int side)
         options.mode = result_.retraction.mode;
         options.active_radius_mm = options_.active_radius_mm;
         options.material = material_for(result_.correspondence.displacements);
+        // The side under tension joins in gradually, as far as a zigzag target compresses it (method.md A5).
+        constexpr double whole = 0.1;
+        options.share = side == compression() ? 1 : smooth_step(runs_into(side), 0, whole);
         auto slid = retract(state.side, displacements, options);
         if (!slid) {
             return tl::unexpected(slid.error());

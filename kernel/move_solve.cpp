@@ -81,14 +81,13 @@ std::vector<Eigen::Matrix3d> MoveState::frame_turns(const Mesh& rest, const Side
     return turns;
 }
 
-Result<DeformationResult> MoveState::deform_by_method(const SideState& side, const std::vector<Vec3>& line_targets,
-                                                      const DeformationOptions& options,
-                                                      const std::optional<Positions>& start,
-                                                      const Progress& progress) const
+Result<DeformationResult> MoveState::deform_by(Deformer deformer, const SideState& side,
+                                               const std::vector<Vec3>& line_targets, const DeformationOptions& options,
+                                               const std::optional<Positions>& start, const Progress& progress) const
 {
     const Mesh rest{side.rest, side.side.mesh.F};
     const auto [vertices, targets] = constraints(side, line_targets);
-    switch (deformer_) {
+    switch (deformer) {
     case Deformer::spokes:
         return deform_spokes(rest, vertices, targets, options, start, progress);
     case Deformer::rings: {
@@ -114,8 +113,35 @@ Result<void> MoveState::solve(SideState& side, const std::vector<Vec3>& targets,
                               const std::string& name, const Progress& progress)
 {
     const DeformationOptions options = solver_options(material);
+    // A side by side of plates is for what runs into sides; in one piece each method has its own solver.
+    const double share = &side == &whole_ ? 0 : plate_share_;
+    const bool plate = share > 0 && method_.deformer != Deformer::plate, own = !plate || share < 1;
+    Positions V;
+    if (own) {
+        auto solved =
+            solve_by(method_.deformer, side, targets, options, name, plate ? progress.part(0, 0.8) : progress);
+        if (!solved) {
+            return tl::unexpected(solved.error());
+        }
+        V = std::move(*solved);
+    }
+    if (plate) {
+        auto solved = solve_by(Deformer::plate, side, targets, options, name, own ? progress.part(0.8, 1) : progress);
+        if (!solved) {
+            return tl::unexpected(solved.error());
+        }
+        V = own ? Positions(V + share * (*solved - V)) : std::move(*solved);
+    }
+    side.V = std::move(V);
+    return {};
+}
+
+Result<Positions> MoveState::solve_by(Deformer deformer, const SideState& side, const std::vector<Vec3>& targets,
+                                      const DeformationOptions& options, const std::string& name,
+                                      const Progress& progress)
+{
     const bool twice = options_.check_unique && !method_.direct;
-    auto solved = deform_by_method(side, targets, options, {}, twice ? progress.part(0, 0.5) : progress);
+    auto solved = deform_by(deformer, side, targets, options, {}, twice ? progress.part(0, 0.5) : progress);
     if (!solved) {
         return tl::unexpected(solved.error());
     }
@@ -126,7 +152,7 @@ Result<void> MoveState::solve(SideState& side, const std::vector<Vec3>& targets,
     uniqueness.limit_mm = ambiguity_limit(region_size());
     if (twice) {
         // The second start: the rest shape, with only the constrained vertices moved.
-        const auto other = deform_by_method(side, targets, options, side.rest, progress.part(0.5, 1));
+        const auto other = deform_by(deformer, side, targets, options, side.rest, progress.part(0.5, 1));
         if (!other) {
             return tl::unexpected(other.error());
         }
@@ -137,8 +163,7 @@ Result<void> MoveState::solve(SideState& side, const std::vector<Vec3>& targets,
         uniqueness.iterations += other->iterations;
         uniqueness.seconds += other->seconds;
     }
-    side.V = std::move(solved->V);
-    return {};
+    return std::move(solved->V);
 }
 
 } // namespace tapeline

@@ -38,15 +38,24 @@ Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio)
         length += u.norm();
         spread += u * u.transpose();
     }
-    if (sum.norm() > 0.3 * length) {
+    if (length == 0) {
+        ratio = 1;
+        return Vec3::UnitX();
+    }
+    // From one rule to the next gradually, so that no displacement makes the material change at once.
+    constexpr double no_mean = 0.3, clear_mean = 0.4, no_axis = 0.2, clear_axis = 1.0 / 3;
+    const double coherence = smooth_step(sum.norm() / length, no_mean, clear_mean);
+    if (coherence == 1) {
         return sum.normalized();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-    if (length > 0 && axes.eigenvalues()[2] > 2 * axes.eigenvalues()[1]) {
-        return axes.eigenvectors().col(2);
-    }
-    ratio = 1;
-    return Vec3::UnitX();
+    const double first = axes.eigenvalues()[2], second = axes.eigenvalues()[1];
+    const double axial = smooth_step((first - second) / (first + second), no_axis, clear_axis);
+    const Vec3 mean = sum.stableNormalized(), axis = axes.eigenvectors().col(2);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> both(coherence * mean * mean.transpose() +
+                                                              (1 - coherence) * axial * axis * axis.transpose());
+    ratio = 1 + (ratio - 1) * std::clamp(both.eigenvalues()[2] - both.eigenvalues()[1], 0.0, 1.0);
+    return ratio > 1 ? Vec3(both.eigenvectors().col(2)) : Vec3::UnitX();
 }
 
 MoveState::MoveState(const Model& model, const Region& region, const MoveOptions& options)
@@ -90,11 +99,18 @@ Result<void> MoveState::place()
         }
         PlacementResult& placement = result_.placement;
         placement = decide_placement(model_.mesh, result_.region, result_.correspondence);
-        placement.verdict = options_.placement.value_or(placement.verdict);
+        if (options_.placement) {
+            placement.verdict = *options_.placement;
+        }
+        if (options_.placement || method_.as_published) {
+            placement.whole_share = placement.verdict == Placement::off_surface ? 1 : 0;
+        }
         placement.compressed = options_.compressed_side.value_or(placement.compressed);
-        deformer_ = deformer_for_target();
-        if (deformer_ != method_.deformer) {
-            warn("the target swings to both sides of the line: both sides bend as thin plates");
+        plate_share_ = plate_share();
+        if (plate_share_ > 0 && method_.deformer != Deformer::plate) {
+            result_.warnings.push_back(
+                fmt::format("the target runs into both sides of the line: they bend as thin plates{}",
+                            plate_share_ < 1 ? fmt::format(" by {:.0f} %", 100 * plate_share_) : ""));
         }
         const bool orthotropic = method_.deformer != Deformer::spokes_and_rims;
         stiffness_ratio_ = orthotropic ? options_.stiffness_ratio : 1;
@@ -106,7 +122,9 @@ Result<void> MoveState::place()
     });
 }
 
-bool MoveState::splits() const { return method_.splits && result_.placement.verdict == Placement::on_surface; }
+bool MoveState::splits() const { return method_.splits && result_.placement.whole_share < 1; }
+
+bool MoveState::deforms_whole() const { return !method_.splits || result_.placement.whole_share > 0; }
 
 Result<void> MoveState::extend()
 {
@@ -114,7 +132,6 @@ Result<void> MoveState::extend()
         ExtensionOptions options;
         options.path = options_.extension_path;
         options.target = result_.extension_target;
-        options.on_surface = result_.placement.verdict == Placement::on_surface;
         auto extended = extend_line(model_, result_.region, result_.correspondence, options);
         if (!extended) {
             return tl::unexpected(extended.error());
@@ -155,6 +172,7 @@ Result<void> MoveState::split()
             sides_[s].side = std::move((*parts)[s]);
             sides_[s].rest = sides_[s].V = sides_[s].side.mesh.V;
         }
+        cut_ = true;
         warn_of_lines();
         return guide_borders();
     });
@@ -200,7 +218,7 @@ Material MoveState::material_for(const std::vector<Vec3>& displacements) const
     Material material;
     material.stiffness_ratio = stiffness_ratio_;
     material.stiff_direction = stiff_direction_;
-    material.stiff = options_.stiff.value_or(splits() ? Stiff::along : Stiff::across);
+    material.stiff = options_.stiff.value_or(cut_ ? Stiff::along : Stiff::across);
     // Once the slide has brought the line to its target there is no direction left to take (method.md A6).
     if (mean_size(displacements) > 1e-3 * mean_size(result_.correspondence.displacements)) {
         double ratio = stiffness_ratio_;
@@ -221,7 +239,7 @@ Result<void> MoveState::deform_side(int side, const Progress& progress)
 {
     const bool tense = side == tension();
     // A zigzag target compresses the tension side in places; it is retracted there (method.md A5).
-    if (tense && !method_.as_published && runs_into(side, 0.02)) {
+    if (tense && !method_.as_published && runs_into(side) > 0) {
         if (auto done = retract_side(side); !done) {
             return done;
         }
@@ -259,6 +277,21 @@ Result<void> MoveState::sew_sides()
     return {};
 }
 
+void MoveState::blend_whole()
+{
+    const double share = result_.placement.whole_share;
+    Positions whole = extended_.model.mesh.V;
+    sew(whole_.side, whole_.V, whole);
+    const Eigen::Index before = model_.mesh.V.rows();
+    for (size_t i = 0; i < extended_.appended.size(); ++i) {
+        const AppendedVertex& added = extended_.appended[i];
+        whole.row(before + static_cast<Eigen::Index>(i)) =
+            (1 - added.t) * whole.row(added.a) + added.t * whole.row(added.b);
+    }
+    // Vertices outside the region and on the line are the same in both, to the bit.
+    result_.V += share * (whole - result_.V);
+}
+
 MoveResult MoveState::finish()
 {
     if (!splits()) {
@@ -266,6 +299,9 @@ MoveResult MoveState::finish()
         sew(whole_.side, whole_.V, result_.V);
         result_.left_faces = extended_.region.faces;
     } else {
+        if (deforms_whole()) {
+            blend_whole();
+        }
         const auto inner = [](const SideMesh& side) {
             return std::vector<int>(side.global_faces.begin(), side.global_faces.begin() + side.inner_faces);
         };

@@ -30,9 +30,12 @@ public:
 
     void keep_whole(); ///< in place of extend and split
     Result<void> solve_whole(const Progress& progress);
+    void blend_whole(); ///< brings in the share of the region's deformation in one piece
 
-    /// Whether the method and the verdict ask for the cut.
+    /// Whether the method and the target ask for the cut.
     bool splits() const;
+    /// Whether they ask for the region's deformation in one piece; both, where the target rises steeply.
+    bool deforms_whole() const;
     /// Whether the tension side must end in the old crease, so that the compressed side comes first.
     bool keeps_crease() const;
     int compression() const { return static_cast<int>(result_.placement.compressed); }
@@ -57,9 +60,11 @@ private:
     Constraints constraints(const SideState& side, const std::vector<Vec3>& line_targets) const;
     std::vector<Eigen::Matrix3d> frame_turns(const Mesh& rest, const SideState& side,
                                              const std::vector<Vec3>& line_targets) const;
-    Result<DeformationResult> deform_by_method(const SideState& side, const std::vector<Vec3>& line_targets,
-                                               const DeformationOptions& options, const std::optional<Positions>& start,
-                                               const Progress& progress) const;
+    Result<DeformationResult> deform_by(Deformer deformer, const SideState& side, const std::vector<Vec3>& line_targets,
+                                        const DeformationOptions& options, const std::optional<Positions>& start,
+                                        const Progress& progress) const;
+    Result<Positions> solve_by(Deformer deformer, const SideState& side, const std::vector<Vec3>& targets,
+                               const DeformationOptions& options, const std::string& name, const Progress& progress);
     Result<void> solve(SideState& side, const std::vector<Vec3>& targets, const Material& material,
                        const std::string& name, const Progress& progress);
     Result<DeformationResult> bend_part(const SideState& side, const Constraints& constraints,
@@ -71,12 +76,14 @@ private:
     void take_free_extension(const SideState& side);
     bool retracts_on_rails() const { return result_.retraction.mode == RetractionMode::harmonic; }
     void warn_of_lines();
-    /// Whether the line moves into that side by more than a share of the largest displacement anywhere.
-    bool runs_into(int side, double share) const;
-    /// The method's own solver; for asan-fl on a target that swings to both sides, the thin plate.
-    Deformer deformer_for_target() const;
+    /// How far the line moves into that side where it does so most, as a share of its largest displacement anywhere.
+    double runs_into(int side) const;
+    /// Share of the thin plate in the deformation: for asan-fl it grows to 1 on a target that swings to both sides.
+    double plate_share() const;
     Result<void> guide_borders();
     void report_crease();
+    /// How much of the lost crease angle is to be given back, by the share of the angle that is left.
+    double restored_share(double kept) const;
     Result<void> bend_side(int side, const std::vector<double>& wanted);
     void warn(std::string_view text);
     void warn_of_folds(const RetractionResult& retraction);
@@ -86,17 +93,18 @@ private:
     const Model& model_;
     const MoveOptions& options_;
     const MethodInfo& method_;
-    Deformer deformer_ = Deformer::orthotropic; ///< decided by `place`
+    double plate_share_ = 0; ///< decided by `place`
     ExtendedLine extended_;
     std::array<SideState, 2> sides_;
     SideState whole_;
+    bool cut_ = false;                     ///< whether the region is cut at this stage
     Vec3 stiff_direction_ = Vec3::UnitX(); ///< d_o of the first solve
     double stiffness_ratio_ = 1;
     MoveResult result_;
 };
 
 /// Stiff direction d_o from the line's displacements (Section 5.3): their mean; where they cancel, their principal
-/// axis; `ratio` becomes 1 (isotropic) where neither exists, as on a loop that shrinks evenly.
+/// axis. `ratio` falls to 1 (isotropic) towards where neither exists, as on a loop that shrinks evenly.
 Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio);
 
 template <class Step>

@@ -25,6 +25,12 @@ int edge_count(const FeatureLine& line) { return static_cast<int>(line.vertices.
 
 } // namespace
 
+double smooth_step(double value, double from, double to)
+{
+    const double s = std::clamp((value - from) / (to - from), 0.0, 1.0);
+    return s * s * (3 - 2 * s);
+}
+
 PlacementResult decide_placement(const Mesh& mesh, const Region& region, const Correspondence& correspondence)
 {
     const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
@@ -39,7 +45,7 @@ PlacementResult decide_placement(const Mesh& mesh, const Region& region, const C
         result.u_max_mm = std::max(result.u_max_mm, correspondence.displacements[i].norm());
     }
     double moved = 0, lifted = 0, tangential_left = 0, tangential_right = 0, normal_left = 0, normal_right = 0,
-           path = 0;
+           path = 0, across = 0;
     for (int i = 0; i < edge_count(line); ++i) {
         const size_t j = i + 1U < n ? i + 1U : 0;
         const int a = line.vertices[i], b = line.vertices[j];
@@ -56,6 +62,7 @@ PlacementResult decide_placement(const Mesh& mesh, const Region& region, const C
         normal_left += std::abs(left.dot(u));
         normal_right += std::abs(right.dot(u));
         path += u.norm();
+        across += length * std::abs(u.dot((left + right).normalized().cross(direction)));
         moved += length * u.norm();
         lifted += length * 0.5 * (lift[i] + lift[j]);
     }
@@ -65,6 +72,10 @@ PlacementResult decide_placement(const Mesh& mesh, const Region& region, const C
     result.off_fraction = moved > 0 ? std::min(1.0, lifted / moved) : 0;
     const double normal = result.compressed == LineSide::left ? normal_left : normal_right;
     result.normal_fraction = path > 0 ? normal / path : 0;
+    if (lifted > 0) {
+        result.whole_share =
+            smooth_step(lifted / std::hypot(lifted, across), 0.95, 0.99) * smooth_step(result.off_fraction, 0.3, 0.7);
+    }
     result.verdict = result.off_fraction > std::numbers::sqrt2 / 2 ? Placement::off_surface : Placement::on_surface;
     return result;
 }

@@ -20,6 +20,7 @@ struct RetractionOptions {
     Material material; ///< the same material as the solver's, for `harmonic`
     /// `sequential`: radius R of the area that a sliding vertex drags along [mm]; 0 = up to the nearest fixed vertex
     double active_radius_mm = 0;
+    double share = 1; ///< of the slide that is made, in [0, 1]
 };
 
 struct RetractionResult {

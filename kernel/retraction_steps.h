@@ -17,9 +17,10 @@ class RetractionTask {
 public:
     /// `displacements` has one entry per entry of side.line. `on_rails`: the other feature lines in the side (`features`,
     /// ascending) and its free borders stay where they are, their vertices slide along them; otherwise the side counts
-    /// as smooth all over, and the vertices of free borders that the line does not reach stay.
+    /// as smooth all over, and the vertices of free borders that the line does not reach stay. `share` of each
+    /// displacement is slid.
     RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements,
-                   const std::vector<VertexPair>& features, bool on_rails);
+                   const std::vector<VertexPair>& features, bool on_rails, double share = 1);
     RetractionTask(const RetractionTask&) = delete;
     RetractionTask& operator=(const RetractionTask&) = delete;
 
@@ -66,7 +67,7 @@ public:
     }
 
 private:
-    void find_moves(const std::vector<Vec3>& displacements);
+    void find_moves(const std::vector<Vec3>& displacements, double share);
     void place_line();
     void place_guided(const std::vector<Vec3>& displacements);
     void slide_borders(bool others_slide);

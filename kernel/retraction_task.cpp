@@ -32,7 +32,7 @@ Vec3 conormal(const Mesh& mesh, int t, int a, int b)
 } // namespace
 
 RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements,
-                               const std::vector<VertexPair>& features, bool on_rails)
+                               const std::vector<VertexPair>& features, bool on_rails, double share)
     : side_(side), inner_(inner_mesh(side)), topology_(inner_.F, static_cast<int>(inner_.V.rows())),
       walls_(on_rails ? features : std::vector<VertexPair>{}), ground_(inner_, walls_), entry_(inner_.V.rows(), -1),
       free_(inner_.V.rows(), 1), normals_(vertex_normals(inner_)), start_(inner_.V)
@@ -54,7 +54,7 @@ RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& di
     }
     const int closing = side.line.size() > 2 ? topology_.find_edge(side.line.back(), side.line.front()) : -1;
     closed_ = closing >= 0 && topology_.edge(closing).border();
-    find_moves(displacements);
+    find_moves(displacements, share);
     lay_rails(false);
     place_line();
     place_guided(displacements);
@@ -79,7 +79,7 @@ void RetractionTask::lay_rails(bool along_borders)
     }
 }
 
-void RetractionTask::find_moves(const std::vector<Vec3>& displacements)
+void RetractionTask::find_moves(const std::vector<Vec3>& displacements, double share)
 {
     const size_t n = side_.line.size();
     std::vector<Vec3> inwards(n, Vec3::Zero());
@@ -102,11 +102,11 @@ void RetractionTask::find_moves(const std::vector<Vec3>& displacements)
         const Vec3 m = inwards[i].norm() > 0 ? Vec3(inwards[i].normalized()) : Vec3::Zero();
         const double into = displacements[i].dot(m);
         if (into >= 0) {
-            moves_.push_back(displacements[i]);
+            moves_.push_back(share * displacements[i]);
             continue;
         }
         const double s = std::max(0.0, 1 + into / (fade_width * largest));
-        moves_.push_back(s * s * (3 - 2 * s) * (displacements[i] - into * m));
+        moves_.push_back(share * s * s * (3 - 2 * s) * (displacements[i] - into * m));
     }
 }
 

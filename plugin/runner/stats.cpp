@@ -108,6 +108,7 @@ ordered_json placement_json(const PlacementResult& p)
     return {{"verdict", on ? "on_surface" : "off_surface"},
             {"off_fraction", p.off_fraction},
             {"normal_fraction", p.normal_fraction},
+            {"whole_share", p.whole_share},
             {"compressed_side", on ? ordered_json(side_name(p.compressed)) : ordered_json(nullptr)},
             {"c_left", p.c_left},
             {"c_right", p.c_right},
