@@ -12,6 +12,9 @@ namespace {
 // One record a paragraph: the formatter would give each field its own line.
 // clang-format off
 constexpr std::array methods = {
+    MethodInfo{.method = Method::plate_fl, .name = "plate-fl",
+               .title = "both sides apart, as asan-fl, but as thin plates that keep the tangent plane at the rim",
+               .deformer = Deformer::plate, .splits = true},
     MethodInfo{.method = Method::asan_fl, .name = "asan-fl",
                .title = "both sides apart: harmonic retraction, tapered extension, stiff along the move",
                .splits = true},
@@ -22,9 +25,6 @@ constexpr std::array methods = {
     MethodInfo{.method = Method::asan_fl_sequential, .name = "asan-fl-sequential",
                .title = "ASAN-FL with a retraction that slides vertex by vertex (Pinskiy 2010)",
                .splits = true, .retraction = RetractionMode::sequential},
-    MethodInfo{.method = Method::plate_fl, .name = "plate-fl",
-               .title = "both sides apart, as asan-fl, but as thin plates that keep the tangent plane at the rim",
-               .deformer = Deformer::plate, .splits = true},
     MethodInfo{.method = Method::asan, .name = "asan",
                .title = "as-stiff-as-needed on the uncut region, stiff across the move"},
     MethodInfo{.method = Method::arap, .name = "arap",

@@ -36,7 +36,7 @@ enum class Deformer {
 
 /// What a method is made of. One record a method is all that moves, options, help and comparisons know of it.
 struct MethodInfo {
-    Method method = Method::asan_fl;
+    Method method = Method::plate_fl;
     std::string_view name;  ///< as job files and command lines call it, e.g. "asan-fl"
     std::string_view title; ///< one line for people, without a full stop
     Deformer deformer = Deformer::orthotropic;

@@ -29,7 +29,7 @@ enum class LineCrease {
 };
 
 struct MoveOptions {
-    Method method = Method::asan_fl;
+    Method method = Method::plate_fl;
     CorrespondenceOptions correspondence;
     std::optional<RetractionMode> retraction; ///< default by method
     double active_radius_mm = 0;              ///< of the `sequential` retraction; 0 = up to the nearest fixed vertex
@@ -92,7 +92,7 @@ struct RetractionReport {
 };
 
 struct MoveResult {
-    Method method = Method::asan_fl;
+    Method method = Method::plate_fl;
     Model rest;    ///< the input model with the extension's cut: appended vertices last
     Positions V;   ///< moved positions of rest's vertices; equal to rest's outside the region, bit for bit
     Region region; ///< on rest's triangles

@@ -59,7 +59,7 @@ struct RegionSettings {
 };
 
 struct MoveSettings {
-    std::string method = "asan-fl";
+    std::string method = "plate-fl";
     std::string retraction = "auto";
     std::string extension_path = "geodesic";
     std::string extension_target = "auto";

@@ -117,8 +117,8 @@ TEST(JobFile, SaysWhichRangeAndChoicesAKeyHas)
     EXPECT_EQ(failure(R"({"remesh": {"max_edge": -1}})"),
               "job.json: key 'remesh.max_edge' is -1 but must be at least 0");
     EXPECT_EQ(failure(R"({"move": {"method": "asan-f"}})"),
-              "job.json: key 'move.method' is 'asan-f' but must be one of asan-fl, asan-fl-paper, asan-fl-sequential, "
-              "plate-fl, asan, arap, arap-sr, arap-n, sr-arap, lri; did you mean 'asan-fl'?");
+              "job.json: key 'move.method' is 'asan-f' but must be one of plate-fl, asan-fl, asan-fl-paper, "
+              "asan-fl-sequential, asan, arap, arap-sr, arap-n, sr-arap, lri; did you mean 'asan-fl'?");
     EXPECT_EQ(failure(R"({"region": {"roi_box": [1, 2]}})"),
               "job.json: key 'region.roi_box' must be a list of 6 numbers in mm, but 2 are given");
     EXPECT_NE(failure(R"({"move": {"max_iterations": 1e300}})"), "read");
