@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/placement.h"
 
-#include "kernel/closest_point.h"
-#include "kernel/topology.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -33,8 +30,13 @@ double smooth_step(double value, double from, double to)
 
 PlacementResult decide_placement(const Mesh& mesh, const Region& region, const Correspondence& correspondence)
 {
-    const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
-    const ClosestPoint surface(mesh, region.faces);
+    return decide_placement(mesh, Topology(mesh.F, static_cast<int>(mesh.V.rows())), ClosestPoint(mesh, region.faces),
+                            correspondence);
+}
+
+PlacementResult decide_placement(const Mesh& mesh, const Topology& topology, const ClosestPoint& surface,
+                                 const Correspondence& correspondence)
+{
     const FeatureLine& line = correspondence.line;
     const auto n = line.vertices.size();
 

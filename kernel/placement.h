@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/closest_point.h"
 #include "kernel/correspondence.h"
 #include "kernel/split.h"
+#include "kernel/topology.h"
 
 namespace tapeline {
 
@@ -35,6 +37,9 @@ double smooth_step(double value, double from, double to);
 /// on a curved surface leaves the tangent plane without leaving the surface; `normal_fraction` reports the latter.
 /// Sides count triangles of the whole model beside the line; `region` limits what the distance is measured to.
 PlacementResult decide_placement(const Mesh& mesh, const Region& region, const Correspondence& correspondence);
+/// The same with the mesh's topology and the region's surface at hand.
+PlacementResult decide_placement(const Mesh& mesh, const Topology& topology, const ClosestPoint& surface,
+                                 const Correspondence& correspondence);
 
 /// Signed turn of the surface across the directed edge a→b: the angle from the right triangle's normal to the left
 /// one's about the edge's direction [deg], 0 = flat, in (-180, 180]. One entry per edge of the line.

@@ -149,6 +149,21 @@ Result<QualityReport> measure_quality(const QualityInput& input)
     }
 }
 
+Result<QualityReport> measure_strip(const QualityInput& input)
+{
+    const std::string wrong = quality::complaint(input);
+    if (!wrong.empty()) {
+        return fail(ErrorKind::rejected, wrong);
+    }
+    const quality::Context context(input);
+    QualityReport report;
+    quality::measure_line(context, report);
+    quality::measure_bulge(context, report);
+    quality::measure_sections(context, report);
+    quality::measure_creases(context, report);
+    return report;
+}
+
 QualityMaps quality_maps(const QualityInput& input)
 {
     QualityMaps maps;

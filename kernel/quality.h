@@ -98,6 +98,9 @@ struct QualityMaps {
 /// All numbers. Rejected when the moved mesh does not belong to the rest mesh, an index does not exist or a
 /// coordinate is not finite. The line's vertices should be joined by mesh edges; edges that are not are left out.
 Result<QualityReport> measure_quality(const QualityInput& input);
+/// The numbers that can be had while a target is dragged: line, bulge, sections and creases along the line; the others
+/// keep their defaults. Rejected as `measure_quality` does.
+Result<QualityReport> measure_strip(const QualityInput& input);
 /// The maps; empty lists where `measure_quality` would reject the input.
 QualityMaps quality_maps(const QualityInput& input);
 /// The sections at the fractions (k + 1/2) / stations of the moved line's length, normal to it; none where

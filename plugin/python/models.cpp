@@ -17,7 +17,7 @@ ModelObject read(const py::object& path, py::object progress, py::object cancel,
 {
     Job job;
     value(set_keywords(job, json_of(keywords), {"import"}));
-    const std::string name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+    const std::string name = path_text(path);
     return {Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
         return hold_model(name, job.import, watched);
     })};
@@ -33,7 +33,7 @@ ModelObject from_arrays(const py::array& V, const py::array& F, const std::strin
 
 void write(const ModelObject& self, const py::object& path, const py::object& V, bool ascii)
 {
-    const std::string name = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+    const std::string name = path_text(path);
     const Mesh& own = self.model().mesh;
     std::optional<Mesh> other;
     if (!V.is_none()) {

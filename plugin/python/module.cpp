@@ -14,4 +14,5 @@ PYBIND11_MODULE(_tapeline, module)
     python::add_models(module);
     python::add_targets(module);
     python::add_moves(module);
+    python::add_edits(module);
 }

@@ -4,6 +4,7 @@
 #include "plugin/python/objects.h"
 #include "plugin/runner/job_file.h"
 #include "plugin/runner/job_outputs.h"
+#include "plugin/runner/job_saving.h"
 #include "plugin/runner/json_text.h"
 #include "plugin/runner/keywords.h"
 #include "plugin/runner/stats.h"
@@ -21,7 +22,14 @@ ResultObject move(const ModelObject& model, const LineObject& line, const py::ob
     auto outcome = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
         return solve_job(bound.job, bound.inputs, watched);
     });
-    return {std::move(bound.job), model.held, std::make_shared<JobOutcome>(std::move(outcome))};
+    return {std::move(bound.job), std::move(bound.inputs), std::make_shared<JobOutcome>(std::move(outcome))};
+}
+
+void save_result_job(const ResultObject& self, const py::object& path, const py::object& target_path)
+{
+    const std::string name = path_text(path);
+    const std::string target_name = target_path.is_none() ? "" : path_text(target_path);
+    without_gil([&] { return save_job(self.job, self.inputs, name, target_name); });
 }
 
 void write(const ResultObject& self, const py::object& path, py::object progress, py::object cancel,
@@ -126,6 +134,7 @@ void add_result(py::module_& module)
         .def_property_readonly("warnings", [](const ResultObject& self) { return self.outcome->warnings; })
         .def_property_readonly("maps", &maps)
         .def("sections", &sections_of, py::arg("stations") = 9)
+        .def("save_job", &save_result_job, py::arg("path"), py::arg("target_path") = py::none())
         .def("write", &write, py::arg("path") = py::none(), py::kw_only(), py::arg("progress") = py::none(),
              py::arg("cancel") = py::none());
 }
@@ -136,7 +145,7 @@ py::object run_file(const py::object& job, py::object progress, py::object cance
         if (py::isinstance<py::dict>(job)) {
             return value(parse_job(json_text(json_of(job)), "the job", {}));
         }
-        return value(read_job(py::module_::import("os").attr("fspath")(job).cast<std::string>()));
+        return value(read_job(path_text(job)));
     }();
     if (read.input.empty()) {
         raise({ErrorKind::usage, "the job's key 'input' is missing; name the model file"});

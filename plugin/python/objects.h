@@ -49,7 +49,7 @@ BoundJob bind_job(const ModelObject& model, const LineObject& line, const py::ob
 /// tapeline.MoveResult
 struct ResultObject {
     Job job;
-    std::shared_ptr<const HeldModel> model;
+    JobInputs inputs;
     std::shared_ptr<const JobOutcome> outcome;
     std::shared_ptr<const QualityMaps> maps = {}; ///< made when first asked for
 };
@@ -62,5 +62,6 @@ py::list sections_of(const ResultObject& result, int stations);
 void add_models(py::module_& module);
 void add_targets(py::module_& module);
 void add_moves(py::module_& module);
+void add_edits(py::module_& module);
 
 } // namespace tapeline::python

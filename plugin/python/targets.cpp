@@ -13,11 +13,6 @@ namespace tapeline::python {
 
 namespace {
 
-std::string path_text(const py::object& path)
-{
-    return py::module_::import("os").attr("fspath")(path).cast<std::string>();
-}
-
 TargetObject from_data(const py::array& control_points, const std::vector<double>& knots, int degree,
                        const std::optional<std::vector<double>>& weights, bool closed)
 {

@@ -144,6 +144,11 @@ std::vector<Vec3> points_of(const py::array& array, const char* what)
     return points;
 }
 
+std::string path_text(const py::object& path)
+{
+    return py::module_::import("os").attr("fspath")(path).cast<std::string>();
+}
+
 json json_of(const py::handle& object)
 {
     if (object.is_none()) {

@@ -57,6 +57,9 @@ Positions positions_of(const py::array& array, const char* what);
 Triangles triangles_of(const py::array& array);
 std::vector<Vec3> points_of(const py::array& array, const char* what);
 
+/// The name of a file given as text or path object.
+std::string path_text(const py::object& path);
+
 /// Python values as JSON: None, bool, numbers, text, paths, lists, tuples, arrays, dicts. TapelineError (usage) for
 /// anything else.
 nlohmann::json json_of(const py::handle& object);

@@ -14,6 +14,8 @@
 
 namespace tapeline {
 
+class PreparationMemory;
+
 /// A model kept in memory for many jobs, with what a job file would say of it.
 struct HeldModel {
     ImportedModel imported;
@@ -30,10 +32,13 @@ struct HeldLine {
 
 /// What a job takes from memory instead of from the files that it names. Everything after that is the same, so the
 /// same model, line and target give the same bytes either way.
+///
+/// `memory` is for jobs that differ in nothing but the target, one after the other or at once.
 struct JobInputs {
-    std::shared_ptr<const HeldModel> model; ///< instead of Job::input
-    std::vector<int> line;                  ///< chain of vertices instead of lines.line
-    std::optional<TargetLine> target;       ///< instead of target.target
+    std::shared_ptr<const HeldModel> model;    ///< instead of Job::input
+    std::vector<int> line;                     ///< chain of vertices instead of lines.line
+    std::optional<TargetLine> target;          ///< instead of target.target
+    std::shared_ptr<PreparationMemory> memory; ///< of steps that need not be done again; none is fine
 };
 
 /// Reads a model from a file to hold it.

@@ -4,6 +4,7 @@
 #include "kernel/correspondence.h"
 #include "kernel/remesh.h"
 #include "plugin/runner/line_refinement.h"
+#include "plugin/runner/preparation_memory.h"
 #include "plugin/runner/region_choice.h"
 #include "plugin/runner/remeshing.h"
 #include "plugin/runner/vertex_list.h"
@@ -45,7 +46,7 @@ public:
     Result<void> find_line()
     {
         return stage("lines", 0.2).and_then([&] {
-            std::vector<FeatureLine> lines = find_feature_lines(made.model, line_options(job_.lines));
+            std::vector<FeatureLine> lines = all_lines();
             return refine_chosen(lines)
                 .and_then([&] { return choose(lines); })
                 .and_then([&](FeatureLine line) {
@@ -99,6 +100,33 @@ private:
             return fail(ErrorKind::cancelled, "cancelled");
         }
         return {};
+    }
+
+    std::vector<FeatureLine> all_lines() const
+    {
+        const auto known = inputs_.memory ? inputs_.memory->lines() : nullptr;
+        if (known) {
+            return *known;
+        }
+        std::vector<FeatureLine> lines = find_feature_lines(made.model, line_options(job_.lines));
+        if (inputs_.memory) {
+            inputs_.memory->keep_lines(lines);
+        }
+        return lines;
+    }
+
+    Result<Remeshed> remeshed(const std::vector<int>& faces, double max_edge) const
+    {
+        const auto known = inputs_.memory ? inputs_.memory->remeshed(faces, max_edge) : nullptr;
+        if (known) {
+            return *known;
+        }
+        const double crease = std::min(job_.lines.crease_angle_low, job_.lines.crease_angle);
+        auto again = remesh_around(made.model, faces, made.line, region_options_, max_edge, crease);
+        if (again && inputs_.memory) {
+            inputs_.memory->keep_remeshed(faces, max_edge, *again);
+        }
+        return again;
     }
 
     Result<FeatureLine> choose(const std::vector<FeatureLine>& lines) const
@@ -178,8 +206,7 @@ private:
     {
         const double max_edge =
             job_.remesh.max_edge > 0 ? job_.remesh.max_edge : automatic_max_edge(made.model.mesh, faces, made.line);
-        const double crease = std::min(job_.lines.crease_angle_low, job_.lines.crease_angle);
-        Result<Remeshed> again = remesh_around(made.model, faces, made.line, region_options_, max_edge, crease);
+        Result<Remeshed> again = remeshed(faces, max_edge);
         if (!again) {
             return tl::unexpected(again.error());
         }

@@ -3,9 +3,11 @@
 
 from ._tapeline import (
     Cancelled,
+    Editor,
     FeatureLine,
     Model,
     MoveResult,
+    Preview,
     Region,
     TapelineError,
     TargetLine,

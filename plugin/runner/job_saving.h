@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugin/runner/inputs.h"
+
+namespace tapeline {
+
+/// Writes the job file that repeats a job whose model, line or target is in memory, and beside it what the job needs
+/// as files, named after it: NAME.target.json for a target (or `target_path`), NAME.line.txt for a chain of vertices,
+/// NAME.model.obj for a model given as arrays (in mm). A job that names no output gets NAME.obj. All files are written
+/// together; `tapeline run` on the job then gives the same bytes. Fails as an OutputSet does.
+Result<void> save_job(Job job, const JobInputs& inputs, const std::filesystem::path& path,
+                      const std::filesystem::path& target_path = {});
+
+} // namespace tapeline
