@@ -64,7 +64,7 @@ Result<Unfolded> triangulate_faces(const CadFaces& faces, double linear_deflecti
         parameters.Angle = angular_deflection * std::numbers::pi / 180;
         parameters.Relative = false;
         parameters.InParallel = false;
-        BRepMesh_IncrementalMesh(compound, parameters);
+        const BRepMesh_IncrementalMesh triangulated(compound, parameters); // its constructor does the work
         return unfold_faces(faces);
     } catch (const Standard_Failure& failure) {
         return fail(ErrorKind::rejected,

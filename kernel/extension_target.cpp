@@ -73,7 +73,7 @@ Vec3 end_slope(const Positions& V, const Correspondence& c, int end, int step)
     const auto u = [&](int k) { return c.displacements[end + k * step]; };
     const auto h = [&](int k) { return (V.row(line[end + k * step]) - V.row(line[end + (k + 1) * step])).norm(); };
     const double h0 = h(0);
-    const Vec3 first = (u(0) - u(1)) / h0;
+    Vec3 first = (u(0) - u(1)) / h0;
     if (line.size() < 3) {
         return first;
     }

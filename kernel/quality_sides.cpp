@@ -124,7 +124,7 @@ StrainedParts strained_parts(const Mesh& rest, const std::pair<std::vector<int>,
     };
     const auto take_swapped = [&](std::vector<int>& part) {
         const auto swapped = std::stable_partition(part.begin(), part.end(), follows_usual);
-        const std::vector<int> taken(swapped, part.end());
+        std::vector<int> taken(swapped, part.end());
         part.erase(swapped, part.end());
         return taken;
     };

@@ -190,7 +190,7 @@ Vec3 RetractionGround::place(int v, const Vec3& u, const Vec3& arc) const
     if (end.face < 0) {
         return closest(position(v) + u);
     }
-    const Vec3 walked = position_of(mesh_, end);
+    Vec3 walked = position_of(mesh_, end);
     const double cosine = Vec3(normals_.row(v)).dot(normal_at(end.face, end.barycentric));
     const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
     const double t = std::clamp((turn - walk_from) / (walk_beyond - walk_from), 0.0, 1.0);

@@ -67,7 +67,7 @@ public:
         if (!remeshes()) {
             return {};
         }
-        return stage("remesh", 0.4).and_then([&] { return faces_to_remesh(); }).and_then([&](std::vector<int> faces) {
+        return stage("remesh", 0.4).and_then([&] { return faces_to_remesh(); }).and_then([&](const auto& faces) {
             return remesh_faces(faces);
         });
     }
