@@ -240,10 +240,12 @@ private:
         const bool extended =
             std::ranges::all_of(record_.extended_line, [&](int v) { return v >= 0 && v < rest_.mesh.V.rows(); });
         input.extended_line = extended ? record_.extended_line : std::vector<int>{};
-        const std::vector<int>& separator = input.extended_line.empty() ? line_.vertices : input.extended_line;
-        StrainedParts parts = strained_parts(
-            rest_.mesh, sides_of_line(rest_.mesh, moved_faces_, separator, line_.closed), line_.vertices, line_.closed,
-            displacements().displacements, side == "left" ? LineSide::left : LineSide::right);
+        const Correspondence line = displacements();
+        const auto sides = input.extended_line.empty()
+                               ? sides_by_extension(rest_, moved_faces_, line)
+                               : sides_of_line(rest_.mesh, moved_faces_, input.extended_line, line_.closed);
+        StrainedParts parts = strained_parts(rest_.mesh, sides, line_.vertices, line_.closed, line.displacements,
+                                             side == "left" ? LineSide::left : LineSide::right);
         input.compressed_faces = std::move(parts.compressed);
         input.tension_faces = std::move(parts.tension);
         outcome_.measures.has_compressed = !input.compressed_faces.empty();

@@ -113,11 +113,11 @@ TEST_F(CommandMove, PassesItsOwnCheck)
         const CommandRun run = run_tapeline(arguments);
         ASSERT_EQ(run.exit_code, 0) << run.err;
         const json measures = json::parse(run.out)["measures"];
-        // The same mesh, line and target give the same numbers; only the sides may be cut a little differently.
+        // The same mesh, line and target give the same numbers, whoever tells the line.
         EXPECT_NEAR(measures["line_error_max_mm"].get<double>(), from_move["line_error_max_mm"].get<double>(), 1e-9);
         EXPECT_NEAR(measures["slide_max_mm"].get<double>(), from_move["slide_max_mm"].get<double>(), 1e-9);
         EXPECT_NEAR(measures["squash"].get<double>(), from_move["squash"].get<double>(), 1e-6);
-        EXPECT_NEAR(measures["bulge"]["max_mm"].get<double>(), from_move["bulge"]["max_mm"].get<double>(), 0.05);
+        EXPECT_NEAR(measures["bulge"]["max_mm"].get<double>(), from_move["bulge"]["max_mm"].get<double>(), 1e-3);
     }
 }
 

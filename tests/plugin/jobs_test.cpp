@@ -41,9 +41,8 @@ TEST_P(OurJobs, KeepTheirLimitsAndPassTheSameOnesInCheck)
     folder_.write("job.json", job_text(job_, folder_.path()));
     const CommandRun run = run_tapeline({"run", file("job.json"), "--quiet"});
     ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
-    std::vector<std::string> words = {"check",          file("moved.obj"),   "--against",
-                                      file("rest.obj"), "--stats",           file("stats.json"),
-                                      "--target",       file("target.json"), "--quiet"};
+    std::vector<std::string> words = {"check",    file("moved.obj"),   "--against", file("rest.obj"),
+                                      "--target", file("target.json"), "--quiet"};
     const auto limit = [&](const char* flag, const std::optional<double>& value) {
         if (value) {
             words.insert(words.end(), {flag, fmt::format("{}", *value)});
@@ -56,8 +55,21 @@ TEST_P(OurJobs, KeepTheirLimitsAndPassTheSameOnesInCheck)
     limit("--max-flipped", gate.max_flipped);
     limit("--max-line-error", gate.max_line_error);
     limit("--max-crease-change", gate.max_crease_change);
-    const CommandRun check = run_tapeline(words);
-    EXPECT_EQ(check.exit_code, 0) << check.err << check.out;
+    // Without statistics the line and the sides are found again, and are the same.
+    std::vector<nlohmann::json> bulges;
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"--stats", file("stats.json")}, {}}) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), more.begin(), more.end());
+        all.insert(all.end(), {"--json", file("check.json")});
+        const CommandRun check = run_tapeline(all);
+        EXPECT_EQ(check.exit_code, 0) << check.err << check.out;
+        bulges.push_back(nlohmann::json::parse(read_text(folder_ / "check.json"))["measures"]["bulge"]);
+    }
+    ASSERT_EQ(bulges[0].is_null(), bulges[1].is_null());
+    if (!bulges[0].is_null()) {
+        EXPECT_NEAR(bulges[0]["max_mm"].get<double>(), bulges[1]["max_mm"].get<double>(), 1e-3);
+        EXPECT_NEAR(bulges[0]["rms_mm"].get<double>(), bulges[1]["rms_mm"].get<double>(), 1e-3);
+    }
 }
 
 TEST_P(OurJobs, WriteResultsStatisticsAndPicturesOutsideTheSources)
