@@ -12,7 +12,7 @@ namespace tapeline::page {
 
 namespace {
 
-enum class Better { less, more, neither };
+enum class Better { less, more, near_zero, neither };
 
 using Value = std::optional<double>;
 
@@ -48,10 +48,10 @@ void add_shape_columns(std::vector<Column>& columns)
         columns.end(),
         {
             {"Bulge, max", "", "mm", Better::less, -1, compressed([](const Q& q) { return std::abs(q.bulge_max_mm); })},
-            {"Bulge, max", "", "% of slide", Better::less, -1,
+            {"Bulge, max", "", "% slide", Better::less, -1,
              compressed([](const Q& q) { return 100 * q.bulge_fraction; })},
             {"Bulge, RMS", "", "mm", Better::less, -1, compressed([](const Q& q) { return q.bulge_rms_mm; })},
-            {"Bulge, RMS", "", "% of slide", Better::less, -1,
+            {"Bulge, RMS", "", "% slide", Better::less, -1,
              compressed([](const Q& q) { return of_slide(q, q.bulge_rms_mm); })},
             {"Inflections", "compr.", "", Better::less, 0,
              compressed([](const Q& q) { return q.compressed_sections.inflections_after; }),
@@ -68,8 +68,14 @@ void add_shape_columns(std::vector<Column>& columns)
             {"Turning", "rise", "deg", Better::less, 2, quality([](const Q& q) {
                  return std::max({0.0, q.compressed_sections.turning_increase, q.tension_sections.turning_increase});
              })},
-            {"Gauss sign", "changed", "% of area", Better::less, 2,
-             quality([](const Q& q) { return 100 * q.gauss_sign_change; })},
+            {"Gauss sign", "compr.", "%", Better::less, 2,
+             compressed([](const Q& q) { return 100 * q.gauss_sign_change_compressed; })},
+            {"Gauss sign", "all", "%", Better::less, 2, quality([](const Q& q) { return 100 * q.gauss_sign_change; })},
+            {"Crown", "tension", "change", Better::near_zero, 2,
+             [](const PageEntry& e) -> Value {
+                 const auto& crown = e.measures->quality.crown;
+                 return crown ? Value(crown->change) : std::nullopt;
+             }},
             {"Crease", "diff. RMS", "deg", Better::less, 2,
              quality([](const Q& q) { return q.crease_rms_difference; })},
         });
@@ -84,6 +90,10 @@ void add_triangle_columns(std::vector<Column>& columns)
             {"Rim crease", "mean", "deg", Better::less, 2,
              quality([](const Q& q) { return q.rim_crease_mean_change; })},
             {"Rim crease", "max", "deg", Better::less, 2, quality([](const Q& q) { return q.rim_crease_max_change; })},
+            {"End kink", "mean", "deg", Better::less, 2,
+             [](const PageEntry& e) -> Value { return e.measures->quality.extension_crease_mean_change; }},
+            {"End kink", "max", "deg", Better::less, 2,
+             [](const PageEntry& e) -> Value { return e.measures->quality.extension_crease_max_change; }},
             {"Triangles", "min angle", "deg", Better::more, 1, quality([](const Q& q) { return q.min_angle_after; }),
              [](const Q& q) { return q.min_angle_before; }},
             {"Triangles", "squash", "", Better::more, 3, quality([](const Q& q) { return q.squash; })},
@@ -118,6 +128,21 @@ std::string cell_text(const Column& column, const Value& value)
     return column.decimals < 0 ? short_number(*value) : fmt::format("{:.{}f}", *value, column.decimals);
 }
 
+bool better(Better wanted, double value, double than)
+{
+    switch (wanted) {
+    case Better::less:
+        return value < than;
+    case Better::more:
+        return value > than;
+    case Better::near_zero:
+        return std::abs(value) < std::abs(than);
+    case Better::neither:
+        break;
+    }
+    return false;
+}
+
 /// The text of the best cells of a column; nothing where all are alike.
 std::string best_text(const Column& column, const Page& page)
 {
@@ -126,8 +151,7 @@ std::string best_text(const Column& column, const Page& page)
     for (const PageEntry& entry : page.entries) {
         const Value value = entry.move != nullptr && entry.sound ? column.value(entry) : std::nullopt;
         if (value && std::isfinite(*value)) {
-            const bool better = !best || (column.better == Better::less ? *value < *best : *value > *best);
-            best = better ? value : best;
+            best = !best || better(column.better, *value, *best) ? value : best;
             texts.push_back(cell_text(column, value));
         }
     }

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
@@ -98,22 +99,54 @@ constexpr std::array<double, 3> new_colour{0.85, 0.1, 0.1};
 constexpr std::array<double, 3> dark_colour{0.13, 0.15, 0.18};
 constexpr double section_width = 1.6;
 
-/// Aims at the section in the middle of the line, the compressed side on the left, a little from above.
+/// Sections to choose the close-up's from: many, so that the largest move is hardly missed, and odd, so that the line's
+/// middle is among them.
+std::vector<Section> closeup_sections(QualityInput input)
+{
+    input.stations = 33;
+    return cross_sections(input);
+}
+
+double moved_by(const QualityInput& input, int v) { return (input.moved.row(v) - input.rest.V.row(v)).norm(); }
+
+/// The section where the line has moved farthest; of places that moved alike the one nearest to the line's middle.
+const Section* farthest_moved(const std::vector<Section>& sections, const QualityInput& input, double slide)
+{
+    const auto middle = static_cast<int>(sections.size()) / 2;
+    const Section* found = nullptr;
+    std::pair<double, int> best;
+    for (int k = 0; k < static_cast<int>(sections.size()); ++k) {
+        const Section& s = sections[k];
+        if (s.compressed_after.empty() || s.tension_after.empty()) {
+            continue;
+        }
+        const int nearest = *std::ranges::min_element(
+            input.line, {}, [&](int v) { return (Vec3(input.moved.row(v)) - s.origin).squaredNorm(); });
+        const double share = slide > 0 ? moved_by(input, nearest) / slide : 0;
+        const std::pair score(std::round(100 * share), -std::abs(k - middle));
+        if (found == nullptr || score > best) {
+            found = &s;
+            best = score;
+        }
+    }
+    return found;
+}
+
+/// Aims at the section where the line has moved farthest, the compressed side on the left, a little from above.
 void aim_closeup(Stage& stage, const QualityInput& input)
 {
-    QualityInput middle = input;
-    middle.stations = 1;
-    const std::vector<Section> sections = cross_sections(middle);
-    if (sections.empty() || sections.front().compressed_after.empty() || sections.front().tension_after.empty()) {
-        return;
-    }
-    const Section& s = sections.front();
-    const Vec3 across = s.tension_after.back() - s.compressed_after.back();
-    const Vec3 ahead = s.normal.cross(s.outward).dot(across) > 0 ? s.normal : Vec3(-s.normal);
     double slide = 0;
     for (const int v : input.line) {
-        slide = std::max(slide, (input.moved.row(v) - input.rest.V.row(v)).norm());
+        slide = std::max(slide, moved_by(input, v));
     }
+    const std::vector<Section> sections = closeup_sections(input);
+    const Section* chosen = farthest_moved(sections, input, slide);
+    if (chosen == nullptr) {
+        return;
+    }
+    const Section& s = *chosen;
+    const Vec3 across = s.tension_after.back() - s.compressed_after.back();
+    const Vec3 ahead = s.normal.cross(s.outward).dot(across) > 0 ? s.normal : Vec3(-s.normal);
     constexpr double descent = 0.24; // of the view's direction towards the surface, about 14 degrees
     const double width = std::clamp(7 * slide, 0.3 * across.norm(), 1.1 * across.norm());
     stage.cut = {s.origin, ahead};
@@ -144,17 +177,19 @@ Result<void> draw_closeup(const fs::path& path, const MoveResult& move, const Ta
     options.camera = stage.closeup;
     options.values.clear();
     options.shading = Shading::shaded;
-    QualityInput middle = quality_input(move, target);
-    middle.stations = 1;
     options.lines.clear();
-    for (const Section& s : cross_sections(middle)) {
-        const bool one_plane = s.rest_normal == s.normal;
-        for (const auto* before : {&s.compressed_before, &s.tension_before}) {
+    const std::vector<Section> sections = closeup_sections(quality_input(move, target));
+    // Every method's line lies on the target, so the same place is found in all of them.
+    const auto s = std::ranges::min_element(
+        sections, {}, [&](const Section& section) { return (section.origin - stage.cut.point).squaredNorm(); });
+    if (s != sections.end()) {
+        const bool one_plane = s->rest_normal == s->normal;
+        for (const auto* before : {&s->compressed_before, &s->tension_before}) {
             if (one_plane) {
                 options.lines.push_back({*before, after ? dark_colour : old_colour, {}, after, section_width});
             }
         }
-        for (const auto* moved : {&s.compressed_after, &s.tension_after}) {
+        for (const auto* moved : {&s->compressed_after, &s->tension_after}) {
             if (after) {
                 options.lines.push_back({*moved, new_colour, {}, false, section_width});
             }
@@ -243,7 +278,8 @@ Result<std::vector<Picture>> draw_state(const MoveResult& move, const TargetCurv
     options.values = after ? maps.gauss_after : maps.gauss_before;
     add("curvature", "Sign of the Gaussian curvature", Shading::curvature_sign);
     if (stage.has_closeup) {
-        album.add(fmt::format("{}_closeup.png", word), fmt::format("Cut across the line's middle, {}", word),
+        album.add(fmt::format("{}_closeup.png", word),
+                  fmt::format("Cut across the line where it moved farthest, {}", word),
                   [&](const fs::path& path) { return draw_closeup(path, move, target, after, stage, options); });
     }
     return album.finish();

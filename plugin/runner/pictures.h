@@ -26,7 +26,7 @@ struct Stage {
     Camera camera;            ///< shows the region
     double zebra_period = 0;  ///< [deg]
     Camera closeup;           ///< looks along the line at the section in `cut`
-    CutPlane cut;             ///< across the middle of the moved line
+    CutPlane cut;             ///< across the moved line where it moved farthest
     bool has_closeup = false; ///< false where there is no section with both sides
 };
 /// Camera and stripes fit the region of the model before any method has cut it; the close-up follows `move`.

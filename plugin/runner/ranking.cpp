@@ -68,6 +68,12 @@ std::string sign_text(const MethodRun& run)
     return short_number(100 * run.measures.quality.gauss_sign_change) + " %";
 }
 
+/// Of every method that gave a result, ranked or not; less than any bulge where there is none.
+double bulge_of_result(const MethodRun& run)
+{
+    return run.move && run.measures.has_compressed ? std::abs(run.measures.quality.bulge_max_mm) : -1;
+}
+
 std::string bulge_text(const MethodRun& run) { return size_text(std::abs(run.measures.quality.bulge_max_mm)); }
 
 } // namespace
@@ -121,10 +127,10 @@ std::string comparison_headline(const std::vector<MethodRun>& runs, const std::v
     const bool equal = worse.empty() && first == (bulge ? bulge_text(best) : sign_text(best));
     text += equal ? fmt::format(" {} does as well", next.method)
                   : fmt::format(" {} follows with {}{}{}", next.method, first, worse.empty() ? "" : " and ", worse);
-    const auto worst =
-        std::ranges::max_element(ranking, {}, [&](int k) { return std::abs(runs[k].measures.quality.bulge_max_mm); });
-    if (bulge && *worst != ranking.front() && *worst != ranking[1]) {
-        text += fmt::format("; {} bulges most, {}", runs[*worst].method, bulge_text(runs[*worst]));
+    const auto worst = std::ranges::max_element(runs, {}, bulge_of_result);
+    if (bulge && &*worst != &best && &*worst != &next) {
+        text += fmt::format("; {} bulges most, {}{}", worst->method, bulge_text(*worst),
+                            worst->sound() ? "" : ", and is not ranked");
     }
     return text + ".";
 }

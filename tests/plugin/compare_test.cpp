@@ -141,6 +141,9 @@ TEST(Compare, RunsEveryMethodRanksThemAndWritesThePage)
     expect_stable_keys(result);
     expect_all_methods(folder, result, page, run.out);
     expect_harmless(page);
+    for (const char* column : {"Gauss sign", "Crown", "Rim crease", "End kink"}) {
+        EXPECT_NE(page.find(std::string(">") + column + "</th>"), std::string::npos) << column;
+    }
     const json &ours = method_of(result, "asan-fl"), &arap = method_of(result, "arap-sr");
     EXPECT_NEAR(ours["quality"]["slide_max_mm"], 80, 1);
     EXPECT_LT(ours["rank"], arap["rank"]);
@@ -151,6 +154,10 @@ TEST(Compare, RunsEveryMethodRanksThemAndWritesThePage)
     const std::string headline = result["headline"];
     EXPECT_TRUE(headline.starts_with(result["winner"].get<std::string>() + " comes first: its bulge is ")) << headline;
     EXPECT_NE(page.find(headline), std::string::npos);
+    const auto bulge = [](const json& m) { return std::abs(m["quality"]["bulge"]["max_mm"].get<double>()); };
+    const auto& all = result["methods"];
+    const auto worst = std::ranges::max_element(all, {}, bulge);
+    EXPECT_NE(headline.find((*worst)["method"].get<std::string>() + " bulges most"), std::string::npos) << headline;
 }
 
 /// Measures of a method without times and its place among others.
