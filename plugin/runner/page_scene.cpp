@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <type_traits>
 
 namespace tapeline::page {
 
@@ -29,7 +30,7 @@ std::string packed(const std::vector<Number>& numbers)
         if constexpr (std::is_same_v<Number, float>) {
             bits = std::bit_cast<std::uint32_t>(x);
         } else {
-            bits = static_cast<std::uint32_t>(x);
+            bits = static_cast<std::make_unsigned_t<Number>>(x);
         }
         for (std::size_t k = 0; k < sizeof(Number); ++k) {
             bytes += static_cast<char>(bits >> (8 * k) & 0xFFU);
