@@ -31,7 +31,7 @@ public:
         axis_x_.normalize();
         axis_y_ = normal.cross(axis_x_);
         for (size_t i = 0; i < polyline.size(); ++i) {
-            const Vec3 p = polyline[i];
+            const Vec3& p = polyline[i];
             const Vec2 q(axis_x_.dot(p - origin_), axis_y_.dot(p - origin_));
             const double step = points_.empty() ? 0 : (q - points_.back()).norm();
             if (points_.empty() || step > 0) {
