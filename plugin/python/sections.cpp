@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sections across a moved line, as numbers to draw.
 #include "kernel/sections.h"
+
 #include "plugin/python/call.h"
 #include "plugin/python/objects.h"
 #include "plugin/runner/stats.h"
