@@ -36,7 +36,7 @@ public:
     Walk(const Mesh& mesh, const Topology& topology) : mesh_(mesh), topology_(topology) {}
 
     std::optional<Departure> depart(int v, const Vec3& u) const;
-    MeshPoint run(Departure departure, double length);
+    MeshPoint run(const Departure& departure, double length);
     MeshPoint run(const MeshPoint& from, const Vec3& direction, double length);
     MeshPoint at_vertex(int face, int v) const;
 
@@ -164,7 +164,7 @@ MeshPoint Walk::in_face(const Vec2& q) const
     return {face_, w};
 }
 
-MeshPoint Walk::run(Departure departure, double length)
+MeshPoint Walk::run(const Departure& departure, double length)
 {
     enter(departure);
     return go(length);
@@ -243,7 +243,7 @@ MeshPoint slide(const Mesh& mesh, const Topology& topology, int v, const Vec3& u
     if (faces.empty()) {
         return {};
     }
-    const MeshPoint stay = walk.at_vertex(faces.front(), v);
+    MeshPoint stay = walk.at_vertex(faces.front(), v);
     if (!u.allFinite() || u.isZero(0)) {
         return stay;
     }
@@ -260,7 +260,7 @@ MeshPoint slide(const Mesh& mesh, const Topology& topology, int v, const Vec3& u
         return stay;
     }
     auto departure = walk.depart(v, tangential);
-    return departure ? walk.run(std::move(*departure), length) : stay;
+    return departure ? walk.run(*departure, length) : stay;
 }
 
 MeshPoint slide(const Mesh& mesh, const Topology& topology, const MeshPoint& from, const Vec3& normal, const Vec3& u)
