@@ -37,11 +37,10 @@ void write(const ResultObject& self, const py::object& path, py::object progress
 {
     Job job = self.job;
     job.outputs = {};
-    py::kwargs outputs = keywords;
     if (!path.is_none()) {
-        outputs["out"] = path;
+        keywords["out"] = path; // the dictionary is this call's own
     }
-    value(set_keywords(job, json_of(outputs), {"outputs"}));
+    value(set_keywords(job, json_of(keywords), {"outputs"}));
     Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
         return check_output_names(job).and_then([&] {
             JobOutcome outcome = *self.outcome;
@@ -80,7 +79,7 @@ ModelObject moved_model(const ResultObject& self)
     return {without_gil([&] {
         const MoveResult& move = self.outcome->move;
         ImportSettings settings;
-        return hold_mesh(Mesh{move.V, move.rest.mesh.F}, settings).map([&](std::shared_ptr<const HeldModel> held) {
+        return hold_mesh(Mesh{move.V, move.rest.mesh.F}, settings).map([&](const auto& held) {
             auto own = std::make_shared<HeldModel>(*held);
             own->settings.units = self.job.import.units;
             return std::shared_ptr<const HeldModel>(std::move(own));
