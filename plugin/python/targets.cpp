@@ -48,7 +48,7 @@ TargetObject move_control_point(const TargetObject& self, int index, const py::a
 
 /// The steps that a job makes of a target it was given, on the model's surface around the line.
 TargetObject edit(const TargetObject& self, const ModelObject& model, const LineObject& line, const char* key,
-                  const py::object& setting, py::object progress, py::object cancel, py::kwargs keywords)
+                  const py::object& setting, py::object progress, py::object cancel, const py::kwargs& keywords)
 {
     keywords[key] = setting;
     const BoundJob bound = bind_job(model, line, py::cast(self), keywords, {"target", "remesh"});
