@@ -78,8 +78,8 @@ Result<void> set_keywords(Job& job, const json& keywords, std::initializer_list<
         if (value.is_null()) {
             continue;
         }
-        const auto option = std::ranges::find_if(option_table(), [&](const Option& candidate) {
-            return is_keyword(candidate) && candidate.name == key &&
+        const auto option = std::ranges::find_if(option_table(), [&, &name = key](const Option& candidate) {
+            return is_keyword(candidate) && candidate.name == name &&
                    std::ranges::find(sections, candidate.section) != sections.end();
         });
         if (auto done = set_option(*option, job, value, fmt::format("keyword '{}'", key)); !done) {
