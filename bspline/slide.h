@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/target_line.h"
+#include "kernel/exact_ground.h"
 #include "kernel/mesh.h"
 
 #include <utility>
@@ -28,12 +29,15 @@ struct SlideLaw {
 /// Rejected: a line farther from the model than a tenth of its length, a law that is no function, a path that runs
 /// into the border, a slid line that folds over itself (farther than the line's radius of curvature), no fit within the
 /// tolerance.
+/// `exact` (of a model made of `mesh`): the path goes over the triangles, the points are then laid on the exact surface,
+/// from which the tolerance counts.
 Result<TargetLine> slide_on_surface(const TargetLine& line, const Mesh& mesh, const SlideLaw& law,
-                                    double tolerance_mm = 0);
+                                    double tolerance_mm = 0, const ExactGround* exact = nullptr);
 
 /// Drops the line onto the model: samples it, takes closest surface points, refits, with the tolerances of
 /// `slide_on_surface`. Rejected when a point is farther from the model than the line's own length, or when neighbouring
-/// points drop to places far apart.
-Result<TargetLine> lay_on_surface(const TargetLine& line, const Mesh& mesh, double tolerance_mm = 0);
+/// points drop to places far apart. `exact`: as there.
+Result<TargetLine> lay_on_surface(const TargetLine& line, const Mesh& mesh, double tolerance_mm = 0,
+                                  const ExactGround* exact = nullptr);
 
 } // namespace tapeline

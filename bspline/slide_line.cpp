@@ -121,7 +121,8 @@ Result<void> check_order(const Slid& a, const Slid& b)
 
 } // namespace
 
-Result<TargetLine> slide_on_surface(const TargetLine& line, const Mesh& mesh, const SlideLaw& law, double tolerance_mm)
+Result<TargetLine> slide_on_surface(const TargetLine& line, const Mesh& mesh, const SlideLaw& law, double tolerance_mm,
+                                    const ExactGround* exact)
 try {
     if (const auto checked = spline::check_tolerance(tolerance_mm); !checked) {
         return tl::unexpected(checked.error());
@@ -134,6 +135,7 @@ try {
         return tl::unexpected(curve.error());
     }
     const SlideTask task{line, mesh, Topology(mesh.F, static_cast<int>(mesh.V.rows())), ClosestPoint(mesh), *curve};
+    const spline::LineGround ground(task.surface, exact);
     const auto place = [&](const std::vector<double>& fractions) -> Result<std::vector<Vec3>> {
         const int n = static_cast<int>(fractions.size());
         std::vector<Slid> slid(n);
@@ -155,11 +157,11 @@ try {
                     return tl::unexpected(checked.error());
                 }
             }
-            points.push_back(slid[i].to);
+            points.push_back(ground.place(slid[i].to));
         }
         return points;
     };
-    return spline::fit_on_surface(place, line.closed(), spline::sample_count(line, mesh), task.surface, tolerance_mm);
+    return spline::fit_on_surface(place, line.closed(), spline::sample_count(line, mesh), ground, tolerance_mm);
 } catch (const std::exception& exception) {
     return fail(ErrorKind::rejected, fmt::format("the line cannot slide on the model: {}", exception.what()));
 }

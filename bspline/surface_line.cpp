@@ -26,17 +26,19 @@ std::vector<double> even_fractions(int n, bool closed)
 }
 
 /// Largest distance of the line to the surface [mm].
-double deviation(const TargetLine& line, const ClosestPoint& surface, int samples)
+double deviation(const TargetLine& line, const LineGround& surface, int samples)
 {
     std::vector<double> distances(samples + 1);
     const double first = line.first_parameter(), range = line.last_parameter() - first;
-    parallel_for(samples + 1,
-                 [&](int i) { distances[i] = surface.closest(line.point(first + range * i / samples)).distance; });
+    parallel_for(samples + 1, [&](int i) {
+        const Vec3 p = line.point(first + range * i / samples);
+        distances[i] = (surface.closest(p) - p).norm();
+    });
     return *std::ranges::max_element(distances);
 }
 
 /// One tolerance: up to three attempts. The error says how close the last one came.
-Result<TargetLine> fit_within(const PlacePoints& place, bool closed, int samples, const ClosestPoint& surface,
+Result<TargetLine> fit_within(const PlacePoints& place, bool closed, int samples, const LineGround& surface,
                               double tolerance_mm, int max_control_points)
 {
     double off = 0;
@@ -84,7 +86,7 @@ Result<void> check_tolerance(double tolerance_mm)
     return {};
 }
 
-Result<TargetLine> fit_on_surface(const PlacePoints& place, bool closed, int samples, const ClosestPoint& surface,
+Result<TargetLine> fit_on_surface(const PlacePoints& place, bool closed, int samples, const LineGround& surface,
                                   double tolerance_mm)
 {
     if (tolerance_mm > 0) {
@@ -120,7 +122,8 @@ int sample_count(const TargetLine& line, const Mesh& mesh)
 
 } // namespace spline
 
-Result<TargetLine> lay_on_surface(const TargetLine& line, const Mesh& mesh, double tolerance_mm)
+Result<TargetLine> lay_on_surface(const TargetLine& line, const Mesh& mesh, double tolerance_mm,
+                                  const ExactGround* exact)
 try {
     if (const auto checked = spline::check_tolerance(tolerance_mm); !checked) {
         return tl::unexpected(checked.error());
@@ -128,14 +131,15 @@ try {
     if (mesh.F.rows() == 0) {
         return fail(ErrorKind::rejected, "the line cannot be laid on a model without triangles");
     }
-    const ClosestPoint surface(mesh);
+    const ClosestPoint triangles(mesh);
+    const spline::LineGround surface(triangles, exact);
     const double length = line.length();
     const auto place = [&](const std::vector<double>& fractions) -> Result<std::vector<Vec3>> {
         std::vector<Vec3> points(fractions.size());
         std::vector<MeshFoot> feet(fractions.size());
         parallel_for(static_cast<int>(fractions.size()), [&](int i) {
             points[i] = line.point(line.parameter_at(fractions[i] * length));
-            feet[i] = surface.closest(points[i]);
+            feet[i] = triangles.closest(points[i]);
         });
         for (size_t i = 0; i < points.size(); ++i) {
             const Vec3 p = points[i];
@@ -145,7 +149,7 @@ try {
                                         "its own length of {:.6g} mm: check units and position",
                                         feet[i].distance, p.x(), p.y(), p.z(), length));
             }
-            points[i] = feet[i].point;
+            points[i] = surface.place(feet[i].point);
             if (i > 0 && (points[i] - points[i - 1]).norm() > 0.1 * length) {
                 return fail(ErrorKind::rejected,
                             fmt::format("the line drops to two places far apart beside ({:.6g}, {:.6g}, {:.6g}): bring "

@@ -21,7 +21,8 @@ enum class ExtensionTarget {
 struct ExtensionOptions {
     ExtensionPath path = ExtensionPath::geodesic;
     ExtensionTarget target = ExtensionTarget::tapered;
-    bool on_surface = true; ///< tapered targets are laid back on the model's surface
+    bool on_surface = true;    ///< tapered targets are laid back on the model's surface
+    bool exact_surface = true; ///< on the exact CAD faces, where the model has them
 };
 
 /// A vertex that the geodesic cut put on an edge of the input: position = (1 - t) V[a] + t V[b].

@@ -2,11 +2,13 @@
 #include "kernel/extension_target.h"
 
 #include "kernel/closest_point.h"
+#include "kernel/exact_ground.h"
 #include "kernel/topology.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 
 namespace tapeline {
@@ -123,21 +125,24 @@ std::vector<Vec3> tapered(const Mesh& mesh, const std::vector<Vec3>& normals, co
     return left;
 }
 
+/// The place on the surface for a point beside it.
+using PointOnSurface = std::function<Vec3(const Vec3&)>;
+
 /// Targets of an arm's vertices. On the surface: the tapered displacement's end is laid on the triangles; what the
 /// line's own end stands off them fades likewise, so that the extension joins the line without a step.
-std::vector<Vec3> arm_targets(const ExtendedLine& extended, const Arm& arm, const ClosestPoint* surface)
+std::vector<Vec3> arm_targets(const ExtendedLine& extended, const Arm& arm, const PointOnSurface& lay)
 {
     const Mesh& mesh = extended.model.mesh;
     const std::vector<Vec3> normals = normals_along(extended, arm.vertices);
     const std::vector<Vec3> displacements = tapered(mesh, normals, arm, arm.displacement);
-    const Vec3 off = surface ? Vec3(arm.target - surface->closest(arm.target).point) : Vec3::Zero();
+    const Vec3 off = lay ? Vec3(arm.target - lay(arm.target)) : Vec3::Zero();
     const std::vector<Vec3> offsets = tapered(mesh, normals, arm, off);
     std::vector<Vec3> targets;
     for (size_t i = 0; i < arm.vertices.size(); ++i) {
         const Vec3 at = mesh.V.row(arm.vertices[i]);
         const bool still = displacements[i].isZero(0);
         const Vec3 moved = at + displacements[i];
-        targets.push_back(still || !surface ? moved : Vec3(surface->closest(moved).point + offsets[i]));
+        targets.push_back(still || !lay ? moved : Vec3(lay(moved) + offsets[i]));
     }
     return targets;
 }
@@ -191,6 +196,14 @@ Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::v
     const int beyond = size - used;
     if (beyond > 0 && options.target == ExtensionTarget::tapered) {
         const ClosestPoint surface(rest.mesh, faces);
+        std::optional<ExactGround> exact;
+        if (options.exact_surface && rest.surface) {
+            exact.emplace(rest, faces);
+        }
+        const auto lay = [&](const Vec3& p) -> Vec3 {
+            const auto foot = exact ? exact->closest(p) : std::nullopt;
+            return foot ? *foot : surface.closest(p).point;
+        };
         for (const bool after : {false, true}) {
             // On a loop both arms share the part that is not used, each up to its middle.
             const int open_count = after ? size - 1 - extended.last : extended.first;
@@ -202,7 +215,7 @@ Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::v
             if (auto room = check_room(mesh, arm); !room) {
                 return room;
             }
-            const std::vector<Vec3> targets = arm_targets(extended, arm, options.on_surface ? &surface : nullptr);
+            const std::vector<Vec3> targets = arm_targets(extended, arm, options.on_surface ? lay : PointOnSurface());
             for (int i = 1; i <= count; ++i) {
                 extended.targets[(after ? extended.last + i : extended.first - i + size) % size] = targets[i];
             }

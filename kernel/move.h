@@ -52,6 +52,7 @@ struct MoveOptions {
     double rim_crease_angle = 5;               ///< a rim edge this sharp is a crease already [deg]
     double plate_stiffness_ratio = 1.8;        ///< μ of plate-fl's plates; its retraction has stiffness_ratio
     LineCrease line_crease = LineCrease::free; ///< plate-fl only
+    bool exact_surface = true; ///< CAD input: a retracted side ends on the exact faces, not on their triangles
 };
 
 /// What one solver run did.
@@ -91,6 +92,18 @@ struct RetractionReport {
     int crossings = 0;
 };
 
+/// How far the free vertices of the compressed side lie from the exact CAD surface. Only for moves on the surface of
+/// models that have one, and only as far as the target lies on it: vertices of the line stay on the target.
+struct ExactSurfaceReport {
+    bool applied = false;          ///< the vertices were laid on the surface all the way
+    int vertices = 0;              ///< laid on the exact surface
+    int left = 0;                  ///< could not be laid on it
+    double distance_before_mm = 0; ///< after the slide over triangles
+    double distance_after_mm = 0;  ///< in the result
+    double line_distance_mm = 0;   ///< of the moved line's vertices, whose places the target decides
+    double line_gap_mm = 0;        ///< largest distance of the line's targets, prolongation included, from L'0
+};
+
 struct MoveResult {
     Method method = Method::plate_fl;
     Model rest;    ///< the input model with the extension's cut: appended vertices last
@@ -105,6 +118,7 @@ struct MoveResult {
     std::vector<int> left_faces; ///< region triangles left of L̂0 (all of them stay in one list when not split)
     std::vector<int> right_faces;
     RetractionReport retraction;
+    ExactSurfaceReport exact_surface;
     std::vector<SolveReport> solves;
     UniquenessReport uniqueness;
     CreaseReport crease;

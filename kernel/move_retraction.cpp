@@ -96,6 +96,7 @@ Result<void> MoveState::retract_side(int side)
                                     place_of(slid->worst_at)));
         }
         warn_of_folds(*slid);
+        lay_slid_on_cad(state, slid->V);
         state.rest = state.V = std::move(slid->V);
         return {};
     });

@@ -132,6 +132,7 @@ Result<void> MoveState::extend()
         ExtensionOptions options;
         options.path = options_.extension_path;
         options.target = result_.extension_target;
+        options.exact_surface = options_.exact_surface && !method_.as_published;
         auto extended = extend_line(model_, result_.region, result_.correspondence, options);
         if (!extended) {
             return tl::unexpected(extended.error());
@@ -254,6 +255,8 @@ Result<void> MoveState::deform_side(int side, const Progress& progress)
             solve(state, extended_.targets, material_for(displacements), tense ? "tension" : "compression", progress);
         if (done && tense) {
             take_free_extension(state);
+        } else if (done) {
+            lay_solved_on_cad(state);
         }
         return done;
     });

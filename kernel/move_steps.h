@@ -75,6 +75,9 @@ private:
     std::vector<int> tilting_vertices(const SideMesh& side) const;
     void take_free_extension(const SideState& side);
     bool retracts_on_rails() const { return result_.retraction.mode == RetractionMode::harmonic; }
+    bool keeps_to_cad() const;
+    void lay_slid_on_cad(SideState& state, Positions& slid);
+    void lay_solved_on_cad(SideState& state);
     void warn_of_lines();
     /// How far the line moves into that side where it does so most, as a share of its largest displacement anywhere.
     double runs_into(int side) const;

@@ -34,6 +34,27 @@ Vec3 area_vector(const Positions& V, const Triangles& F, int t)
 
 } // namespace
 
+void take_back_folds(const Triangles& F, const Positions& before, Positions& V, std::vector<char>& moved)
+{
+    for (bool flipped = true; flipped;) {
+        flipped = false;
+        for (int t = 0; t < F.rows(); ++t) {
+            if (!moved[F(t, 0)] && !moved[F(t, 1)] && !moved[F(t, 2)]) {
+                continue;
+            }
+            const Vec3 old_area = area_vector(before, F, t), area = area_vector(V, F, t);
+            if (area.dot(old_area) >= 0.5 * area.norm() * old_area.norm() && area.norm() >= 0.05 * old_area.norm()) {
+                continue;
+            }
+            flipped = true;
+            for (int k = 0; k < 3; ++k) {
+                V.row(F(t, k)) = before.row(F(t, k));
+                moved[F(t, k)] = 0;
+            }
+        }
+    }
+}
+
 SurfacePlacement place_on_surface(Model& model, const std::vector<SurfaceSite>& sites)
 {
     SurfacePlacement result;
@@ -54,24 +75,7 @@ SurfacePlacement place_on_surface(Model& model, const std::vector<SurfaceSite>& 
             moved[sites[i].vertex] = 1;
         }
     }
-    const Triangles& F = model.mesh.F;
-    for (bool flipped = true; flipped;) {
-        flipped = false;
-        for (int t = 0; t < F.rows(); ++t) {
-            if (!moved[F(t, 0)] && !moved[F(t, 1)] && !moved[F(t, 2)]) {
-                continue;
-            }
-            const Vec3 old_area = area_vector(before, F, t), area = area_vector(V, F, t);
-            if (area.dot(old_area) >= 0.5 * area.norm() * old_area.norm() && area.norm() >= 0.05 * old_area.norm()) {
-                continue;
-            }
-            flipped = true;
-            for (int k = 0; k < 3; ++k) {
-                V.row(F(t, k)) = before.row(F(t, k));
-                moved[F(t, k)] = 0;
-            }
-        }
-    }
+    take_back_folds(model.mesh.F, before, V, moved);
     for (const SurfaceSite& site : sites) {
         const bool wanted = site.cad_edge >= 0 || site.cad_face >= 0;
         result.placed += moved[site.vertex] ? 1 : 0;

@@ -81,6 +81,7 @@ struct MoveSettings {
     std::string rim = "auto";
     std::string crease = "free";
     double plate_stiffness_ratio = 1.8;
+    std::string exact_surface = "auto";
     bool allow_unconverged = false;
 };
 

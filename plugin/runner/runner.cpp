@@ -120,6 +120,7 @@ MoveOptions move_options(const Job& job)
     options.rim_crease_angle = std::min(job.lines.crease_angle_low, job.lines.crease_angle);
     options.line_crease = s.crease == "keep" ? LineCrease::keep : LineCrease::free;
     options.plate_stiffness_ratio = s.plate_stiffness_ratio;
+    options.exact_surface = s.exact_surface != "off";
     return options;
 }
 
@@ -218,6 +219,8 @@ std::string outcome_table(const JobOutcome& o)
         {"line error", fmt::format("{:.2e} mm", q.line_error_max_mm)},
         {"squash", fmt::format("{:.3f}", q.squash)},
         {"flipped triangles", std::to_string(q.flipped)},
+        {"distance to the exact faces",
+         o.move.exact_surface.applied ? fmt::format("{:.2e} mm", o.move.exact_surface.distance_after_mm) : "-"},
         {"region",
          fmt::format("{} vertices, {} triangles", o.move.region.vertices.size(), o.move.region.faces.size())}};
     rows.push_back({"solver iterations, error estimate",

@@ -156,6 +156,17 @@ ordered_json retraction_json(const RetractionReport& r)
             {"crossings", r.crossings}};
 }
 
+ordered_json exact_surface_json(const ExactSurfaceReport& r)
+{
+    return {{"applied", r.applied},
+            {"vertices", r.vertices},
+            {"left", r.left},
+            {"distance_before_mm", r.distance_before_mm},
+            {"distance_after_mm", r.distance_after_mm},
+            {"line_distance_mm", r.line_distance_mm},
+            {"line_gap_mm", r.line_gap_mm}};
+}
+
 ordered_json stats_json(const Job& job, const JobOutcome& o)
 {
     ordered_json stats;
@@ -174,6 +185,7 @@ ordered_json stats_json(const Job& job, const JobOutcome& o)
     stats["placement"] = placement_json(o.move.placement);
     stats["extension"] = extension_json(o.move);
     stats["retraction"] = retraction_json(o.move.retraction);
+    stats["exact_surface"] = exact_surface_json(o.move.exact_surface);
     stats["solve"] = solve_json(o.move.solves);
     stats["uniqueness"] = uniqueness_json(o.move);
     const CreaseReport& c = o.move.crease;

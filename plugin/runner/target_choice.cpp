@@ -60,6 +60,11 @@ Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, co
                                  const std::optional<TargetLine>& given)
 {
     Result<TargetChoice> choice = first_line(model, line, settings, given);
+    std::optional<ExactGround> exact;
+    if (settings.on_surface || !settings.slide.empty()) {
+        exact.emplace(model);
+    }
+    const ExactGround* ground = exact ? &*exact : nullptr;
     const auto change = [&](auto&& step) {
         choice = std::move(choice).and_then([&](TargetChoice made) -> Result<TargetChoice> {
             return step(made.line).map([&](TargetLine changed) {
@@ -77,7 +82,7 @@ Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, co
     }
     if (!settings.slide.empty()) {
         change([&](const TargetLine& made) {
-            return slide_on_surface(made, model.mesh, slide_law(settings.slide), settings.tolerance);
+            return slide_on_surface(made, model.mesh, slide_law(settings.slide), settings.tolerance, ground);
         });
     }
     if (settings.fair) {
@@ -86,7 +91,7 @@ Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, co
         });
     }
     if (settings.on_surface) {
-        change([&](const TargetLine& made) { return lay_on_surface(made, model.mesh, settings.tolerance); });
+        change([&](const TargetLine& made) { return lay_on_surface(made, model.mesh, settings.tolerance, ground); });
     }
     return choice;
 }
