@@ -37,12 +37,14 @@ double deviation(const TargetLine& line, const LineGround& surface, int samples)
     return *std::ranges::max_element(distances);
 }
 
-/// One tolerance: up to three attempts. The error says how close the last one came.
+/// One tolerance: up to three attempts, and a fourth where more points still help (where the line crosses a sharp edge,
+/// what it cuts off there is proportional to their distance). The error says how close the last one came.
 Result<TargetLine> fit_within(const PlacePoints& place, bool closed, int samples, const LineGround& surface,
                               double tolerance_mm, int max_control_points)
 {
     double off = 0;
-    for (int attempt = 0; attempt < 3; ++attempt) {
+    bool helps = true;
+    for (int attempt = 0; attempt < 3 || (attempt == 3 && helps); ++attempt) {
         const int n = samples << attempt;
         const auto points = place(even_fractions(n, closed));
         if (!points) {
@@ -55,7 +57,9 @@ Result<TargetLine> fit_within(const PlacePoints& place, bool closed, int samples
         if (!line) {
             return line;
         }
+        const double before = off;
         off = deviation(*line, surface, 4 * n);
+        helps = off < 0.75 * before;
         if (off <= tolerance_mm) {
             return line;
         }
