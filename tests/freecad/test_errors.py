@@ -151,7 +151,7 @@ def progress(fraction, stage):
     if stage.startswith("deform") or fraction > 0.4:
         pathlib.Path({sign!r}).touch()
 while True:
-    solving._results.clear()
+    solving.results.clear()
     order.solve(progress)
 """
 

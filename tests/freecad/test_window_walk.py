@@ -162,17 +162,20 @@ class Walk(unittest.TestCase):
         window.keep("07_verdict")
         wait_for_sentence("Exact")
         window.keep("08_moved")
-        handles = Panel.open_panel.editing.handles
-        index = len(handles.points) // 2
-        start = handles.pixel_of(index)
+        panel = Panel.open_panel
+        handles, previews = panel.editing.handles, []
+        shown, panel._previewed = panel._previewed, lambda preview: (previews.append(preview), shown(preview))
+        start = handles.pixel_of(2)
         before = window.view_pixels()
-        window.drag(start, start + np.array([25.0, 20.0]))
-        window.settle(0.2)
-        window.keep("09_dragging")
+        window.drag(start, start + np.array([25.0, 20.0]), steps=20, held=lambda: window.keep("09_dragging"))
+        self.assertGreater(len(previews), 1, "previews while dragging")
         wait_for_sentence("Exact")
         self.assertGreater(window.changed_share(before, window.view_pixels()), 1e-3)
         window.keep("10_dragged")
-        print("longest pause of the window while editing:", round(heart.stop(), 3), "s")
+        print("previews:", len(previews), "the last after", round(panel.latency, 3),
+              "s; longest pause of the window:", round(heart.stop(), 3), "s")
+        self.assertLess(heart.longest, 1.5)
+        self.assertEqual(set(panel.strip.grades.values()) - {"green", "amber", "red"}, set())
         press(QtGui.QDialogButtonBox.Apply)
         window.wait_until(lambda: objects("move") and objects("move")[0].Vertices, 40, "the move")
         self.assertFalse(Gui.Control.activeDialog())
@@ -203,11 +206,23 @@ class Walk(unittest.TestCase):
                 self.assertGreater(window.changed_share(pictures["plain"], pixels), 0.02, kind)
         press(QtGui.QDialogButtonBox.Close)
 
-    def test_10_export(self):
+    def test_10_sections(self):
+        Gui.Selection.clearSelection()
+        run("Tapeline_Check")
+        window.wait_until(lambda: panel_widget(QtGui.QTableWidget, "measures").rowCount() > 5, 40, "the measures")
+        panel = Panel.open_panel
+        panel.overlay_box.setCurrentIndex(panel.overlay_box.findData("plain"))
+        without = window.view_pixels()
+        panel.sections_box.setChecked(True)
+        self.assertGreater(window.changed_share(without, window.view_pixels()), 2e-3)
+        window.keep("13_sections")
+        press(QtGui.QDialogButtonBox.Close)
+
+    def test_11_export(self):
         run("Tapeline_Export")
         out = os.path.join(self.folder.name, "hood_moved.obj")
         panel_widget(QtGui.QLineEdit, "path").setText(out)
-        window.keep("13_export")
+        window.keep("14_export")
         press(QtGui.QDialogButtonBox.Ok)
         vertices = arrays.rows(objects("move")[0], "Vertices")
         with open(out, encoding="utf-8") as file:
@@ -215,3 +230,17 @@ class Walk(unittest.TestCase):
         self.assertEqual(written.tobytes(), vertices.tobytes())
 
 
+
+    def test_12_the_saved_document_opens_again_with_its_looks(self):
+        path = os.path.join(self.folder.name, "hood.FCStd")
+        vertices = arrays.rows(objects("move")[0], "Vertices").tobytes()
+        App.ActiveDocument.saveAs(path)
+        App.closeDocument(App.ActiveDocument.Name)
+        App.openDocument(path)
+        window.settle(0.5)
+        move, lines = objects("move")[0], objects("lines")[0]
+        self.assertEqual(arrays.rows(move, "Vertices").tobytes(), vertices)
+        self.assertEqual(type(lines.ViewObject.Proxy).__name__, "LinesView")
+        self.assertEqual(move.ViewObject.Proxy.claimChildren(), [move.Target, move.Region])
+        self.assertFalse(window.is_blank(window.view_pixels()))
+        window.keep("15_opened_again")

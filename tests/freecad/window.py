@@ -67,13 +67,15 @@ def mouse(kind, pixel, button=QtCore.Qt.LeftButton):
     QtGui.QApplication.sendEvent(widget, event)
 
 
-def drag(start, end, steps=12, pause=0.03):
-    """Presses at `start`, moves to `end` and lets go."""
+def drag(start, end, steps=12, pause=0.03, held=None):
+    """Presses at `start`, moves to `end`, calls `held` where it is given, and lets go."""
     start, end = np.asarray(start, float), np.asarray(end, float)
     mouse(QtCore.QEvent.MouseButtonPress, start)
     for step in range(1, steps + 1):
         mouse(QtCore.QEvent.MouseMove, start + (end - start) * step / steps)
         settle(pause)
+    if held:
+        held()
     mouse(QtCore.QEvent.MouseButtonRelease, end)
 
 

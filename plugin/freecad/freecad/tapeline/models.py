@@ -3,19 +3,15 @@
 thread; reading it may then happen in any thread."""
 import os
 import tempfile
-import threading
-from collections import OrderedDict
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from . import arrays, engine, properties
+from .memory import Memory
 from .text import translate
 
-KEPT_MODELS = 6
-
-_cache = OrderedDict()
-_lock = threading.Lock()
+_read = Memory(6)
 
 
 @dataclass
@@ -85,10 +81,9 @@ def _source_of_object(base, keys):
 def load(source):
     """The engine's model of a source; the last few are kept. Arrays pass through a file, so that a job file on such a
     file gives the same bytes."""
-    with _lock:
-        if source.digest in _cache:
-            _cache.move_to_end(source.digest)
-            return _cache[source.digest]
+    known = _read.get(source.digest)
+    if known is not None:
+        return known
     tapeline = engine.module()
     if source.is_file:
         model = tapeline.Model.read(source.path, **source.keys)
@@ -97,11 +92,7 @@ def load(source):
             path = os.path.join(folder, "model.obj")
             source.write_mesh(path)
             model = tapeline.Model.read(path)
-    with _lock:
-        _cache[source.digest] = model
-        while len(_cache) > KEPT_MODELS:
-            _cache.popitem(last=False)
-    return model
+    return _read.keep(source.digest, model)
 
 
 def vertices_of_faces(model, numbers):

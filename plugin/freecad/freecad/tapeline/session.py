@@ -1,41 +1,37 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A move while it is being edited: previews and exact results from one engine Editor, for one thread at a time."""
+"""A move while it is being edited: previews and exact results from one engine Editor."""
 import threading
 
 from . import engine, solving
+from .memory import Memory
 
 
 class MoveSession:
-    """Answers for one order at a time; the engine's Editor, which keeps what a drag can use again, is made anew only
-    where something else than the target changed."""
+    """Answers orders from several threads. The engine's Editors keep what a drag can use again; one is made only where
+    something else than the target changed. Two are kept: the preview's lays the target on the surface by itself, the
+    exact one gets the finished curve."""
 
     def __init__(self):
-        self._lock = threading.Lock()
-        self._editor = None
-        self._made_for = None
+        self._making = threading.Lock()
+        self._editors = Memory(2)
 
-    def _ready(self, order):
+    def _editor_for(self, order):
         base = order.with_curve("").digest
-        if self._made_for != base:
-            self._editor = engine.module().Editor(order.model(), order.feature_line(), **order.all_keys())
-            self._made_for = base
-        return self._editor
+        with self._making:
+            editor = self._editors.get(base)
+            if editor is None:
+                editor = engine.module().Editor(order.model(), order.feature_line(), **order.all_keys())
+                self._editors.keep(base, editor)
+            return editor
 
-    def preview(self, order, budget_ms):
-        """The engine's preview within a time budget."""
-        if not hasattr(engine.module(), "Editor"):
-            return None
-        with self._lock:
-            return self._ready(order).preview(order.target(), budget_ms=budget_ms)
+    def preview(self, order, budget_ms, progress=None, cancel=None):
+        """The engine's preview within a time budget; the first one prepares and takes longer."""
+        return self._editor_for(order).preview(order.target(), budget_ms, progress=progress, cancel=cancel)
 
     def solve(self, order, progress=None, cancel=None):
         """The exact result, the same as the document object computes."""
-        known = solving.recall(order.digest)
+        known = solving.results.get(order.digest)
         if known is not None:
             return known
-        if not hasattr(engine.module(), "Editor"):
-            return order.solve(progress, cancel)
-        with self._lock:
-            result = self._ready(order).solve(order.target(), progress=progress, cancel=cancel)
-        solving.remember(order.digest, result)
-        return result
+        result = self._editor_for(order).solve(order.target(), progress=progress, cancel=cancel)
+        return solving.results.keep(order.digest, result)

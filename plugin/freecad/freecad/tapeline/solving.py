@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One move as an order: plain data taken from the document, which any thread can then solve."""
 import json
-import threading
-from collections import OrderedDict
 from dataclasses import dataclass, field, replace
 
 from . import arrays, curves, engine, models, properties
+from .memory import Memory
 from .text import translate
 
-KEPT_RESULTS = 4
-
-_results = OrderedDict()
-_lock = threading.Lock()
+results = Memory(4)
 
 
 @dataclass
@@ -51,31 +47,17 @@ class Order:
 
     def solve(self, progress=None, cancel=None):
         """The engine's result; one that was just computed is not computed again."""
-        known = recall(self.digest)
+        known = results.get(self.digest)
         if known is not None:
             return known
         result = engine.module().move(self.model(), self.feature_line(), self.target(), progress=progress,
                                       cancel=cancel, **self.all_keys())
-        remember(self.digest, result)
-        return result
+        return results.keep(self.digest, result)
 
     def place(self, progress=None, cancel=None):
         """What would move, before anything is solved: the engine's region with verdict and sides."""
         return self.model().region(self.feature_line(), self.target(), progress=progress, cancel=cancel,
                                    **self.all_keys())
-
-
-def remember(digest, result):
-    with _lock:
-        _results[digest] = result
-        _results.move_to_end(digest)
-        while len(_results) > KEPT_RESULTS:
-            _results.popitem(last=False)
-
-
-def recall(digest):
-    with _lock:
-        return _results.get(digest)
 
 
 def order_of(obj):
@@ -111,7 +93,7 @@ def measure(measures, *path):
 
 
 def strip_of(measures):
-    """The four numbers of the quality strip, from a move's measures."""
+    """The four numbers of the quality strip, from the measures of a move or a preview."""
     before = measure(measures, "sections", "compressed", "inflections_before")
     after = measure(measures, "sections", "compressed", "inflections_after")
     return {
@@ -120,9 +102,3 @@ def strip_of(measures):
         "CreaseAngle": measure(measures, "crease", "max_difference"),
         "LineError": measure(measures, "line_error_max_mm"),
     }
-
-
-def strip_of_preview(measures):
-    """The same from a preview's measures."""
-    return {"Bulge": measures.get("bulge"), "Inflections": measures.get("inflections"),
-            "CreaseAngle": measures.get("crease_angle"), "LineError": measures.get("line_error")}

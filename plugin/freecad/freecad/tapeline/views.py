@@ -76,7 +76,7 @@ class MoveView(View):
 
 CLASSES = {"lines": LinesView, "move": MoveView}
 COLOURS = {"lines": (0.0, 0.25, 0.75), "target": (0.85, 0.1, 0.1)}
-SURFACE_COLOUR = (0.72, 0.74, 0.78)
+SURFACE_COLOUR = (0.80, 0.82, 0.86)
 
 
 def attach(obj):

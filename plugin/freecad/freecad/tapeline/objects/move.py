@@ -71,7 +71,7 @@ def adopt(obj, order, result):
     obj.Verdict = str(placement.get("verdict", ""))
     obj.SideThatGaveWay = str(placement.get("compressed_side", ""))
     obj.Inputs = order.digest
-    solving.remember(order.digest, result)
+    solving.results.keep(order.digest, result)
     for sentence in result.warnings:
         warn(f"{obj.Label}: {sentence}")
     refresh_display(obj)

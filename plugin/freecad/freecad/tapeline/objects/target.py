@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The target line: where a feature line shall go, as an exact B-spline that can be made in several ways."""
+import json
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from .. import arrays, curves, engine, models, properties, worker
+from ..memory import Memory
 from ..text import translate, warn
 from .base import Proxy, create, property_if_missing
 
@@ -34,7 +36,7 @@ class TargetLine(Proxy):
 
     def compute(self, obj):
         recipe, source = recipe_of(obj), models.source_of(obj.Model)
-        line = worker.run(lambda progress, cancel: build(models.load(source), recipe),
+        line = worker.run(lambda progress, cancel: build(source, recipe),
                           translate("Tapeline", "Making '{}'").format(obj.Label))
         if recipe.dropped_offsets:
             warn(translate("Tapeline", "{}: the number of control points changed, so their moves by hand are gone.")
@@ -84,8 +86,17 @@ def recipe_of(obj):
     return recipe
 
 
-def slid(model, recipe):
+_bases = Memory(8)
+_finished = Memory(8)
+
+
+def slid(source, recipe):
     """The curve that handles start from: fitted, linked or stored, and slid."""
+    key = json.dumps([source.digest, recipe.line, recipe.line_keys, recipe.fit_keys, recipe.slide, recipe.start])
+    return _bases.get(key) or _bases.keep(key, _make_base(models.load(source), recipe))
+
+
+def _make_base(model, recipe):
     line = models.line_of(model, recipe.line, recipe.line_keys)
     if not recipe.start:
         slide = {"slide": recipe.slide} if any(recipe.slide) else {}
@@ -94,31 +105,39 @@ def slid(model, recipe):
     return start.slide(model, line, recipe.slide) if any(recipe.slide) else start
 
 
-def finished(model, recipe, target):
+def finished(source, recipe, target):
     """Fairing and laying on the surface, as asked for."""
+    keys = finish_keys(recipe)
+    if not keys:
+        return target
+    key = json.dumps([source.digest, recipe.line, recipe.line_keys, keys, target.to_json()])
+    known = _finished.get(key)
+    if known is not None:
+        return known
     if recipe.fair:
         target = target.fair(recipe.fair_limit)
     if recipe.on_surface:
+        model = models.load(source)
         target = target.on_surface(model, models.line_of(model, recipe.line, recipe.line_keys))
-    return target
+    return _finished.keep(key, target)
 
 
 def finish_keys(recipe):
-    """The same steps as options of a move to the unfinished curve."""
+    """The same steps as options of a move to the unfinished curve, for previews."""
     keys = {"fair": recipe.fair, "fair_limit": recipe.fair_limit if recipe.fair else 0, "on_surface": recipe.on_surface}
     return {key: value for key, value in keys.items() if value}
 
 
-def build(model, recipe):
+def build(source, recipe):
     """The target line of a recipe: start, slide, moves by hand, fairing, laying on the surface, in this order."""
-    line = slid(model, recipe)
+    line = slid(source, recipe)
     if recipe.offsets is not None:
         points = np.asarray(line.control_points)
         if len(points) == len(recipe.offsets):
             line = line.with_control_points(points + recipe.offsets)
         else:
             recipe.dropped_offsets = True
-    return finished(model, recipe, line)
+    return finished(source, recipe, line)
 
 
 def put(obj, line):

@@ -2,6 +2,7 @@
 """Shaping a target line by its control points in the 3D view; shared by the panels of target line and move."""
 import numpy as np
 
+from .. import models
 from ..objects import target as targets
 from ..scene import handles
 from ..text import translate
@@ -92,10 +93,4 @@ def mode_box(editing):
 
 def prepared(source, recipe):
     """Background work of a panel that opens or whose recipe changed: normals and the curve to start from."""
-    from .. import models
-
-    def work(progress, cancel):
-        model = models.load(source)
-        return Normals(model), targets.slid(model, recipe), len(model.feature_lines(**recipe.line_keys))
-
-    return work
+    return lambda progress, cancel: (Normals(models.load(source)), targets.slid(source, recipe))

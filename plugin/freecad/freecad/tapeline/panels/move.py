@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Panel of Move feature line: drag, watch surface and measures follow, overrule the verdict, apply."""
+import time
+
 import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore, QtGui
 
 from .. import api, arrays, models, properties, settings, solving, worker
+from ..objects import kind_of
 from ..objects import move as moves
 from ..objects import target as targets
 from ..scene import colours
@@ -14,6 +17,9 @@ from ..text import translate
 from .base import AUTOMATIC, Panel, SavedVisibility, button, combo, number, row, wrapped
 from .curve_editing import CurveEditing, mode_box, prepared
 from .strip import QualityStrip
+
+
+PATIENCE = 5  # times the budget, for a preview that measures
 
 
 class MovePanel(Panel):
@@ -33,6 +39,7 @@ class MovePanel(Panel):
         self.solver.on_progress = self.show_progress
         self.result = None
         self.applied = False
+        self._patient = False
         self.dragged = False  # since the panel opened
         self.overlay = self.decorate(SurfaceOverlay(self.view))
         self.decorate(SavedVisibility(self.model, self.target, move))
@@ -93,17 +100,29 @@ class MovePanel(Panel):
         if which == QtGui.QDialogButtonBox.Apply:
             self.accept()
 
-    def current_order(self):
-        """The order as the panel says it now."""
+    def _options(self):
+        """The options as the boxes say them; None for those at their default."""
         chosen = {name: box.currentData() for name, box in self.boxes.items()}
         keys = {name: None if value == properties.option(name)["default"] else value for name, value in chosen.items()}
         if self.region is None:
             keys["roi_distance"] = self.distance.value() or None
-        curve = self.order.curve
-        if self.dragged:
-            curve = self.editing.curve.to_json()
-            keys.update(targets.finish_keys(self.recipe))
-        return self.order.with_curve(curve, **keys)
+        return keys
+
+    def preview_order(self):
+        """What a preview answers: the curve as it is dragged; the engine lays it on the surface."""
+        if not self.ours:
+            return self.order.with_curve(self.order.curve, **self._options())
+        return self.order.with_curve(self.editing.curve.to_json(), **self._options(), **targets.finish_keys(self.recipe))
+
+    def exact_order(self):
+        """A function that makes the order of the exact result, in any thread: the curve is finished first, just as the
+        target line object does it."""
+        order, options = self.order, self._options()
+        if not self.dragged:
+            made = order.with_curve(order.curve, **options)
+            return lambda: made
+        recipe, curve = self.recipe, self.editing.curve
+        return lambda: order.with_curve(targets.finished(order.source, recipe, curve).to_json(), **options)
 
     # What happens.
 
@@ -119,38 +138,30 @@ class MovePanel(Panel):
             self.compute(lambda progress, cancel: models.load(source), lambda model: self._start())
 
     def _opened(self, made):
-        self.editing.normals, base, _ = made
+        self.editing.normals, base = made
         self.editing.start(base, self.offsets)
         self._start()
 
     def _start(self):
         self.say(translate("Tapeline", "Drag the yellow points; the surface follows.") if self.ours else "")
-        self._place()
-        self.solve_exactly()
+        self._preview()
 
     def _options_changed(self):
-        self._place()
-        self._rest.start(settings.rest_delay())
+        """Another option: the verdict and the surface come again."""
+        self.solver.drop()
+        self.result = None
+        self._preview()
 
-    def _place(self):
-        """Verdict and sides, before anything is solved."""
-        order = self.current_order()
-        self.compute(lambda progress, cancel: order.place(progress, cancel), self._placed)
-
-    def _placed(self, region):
-        placement = region.placement
-        self.faces_of_sides = (np.asarray(placement["tension_faces"]), np.asarray(placement["compression_faces"]))
-        on = placement["verdict"] == "on_surface"
+    def _show_verdict(self, placement):
         side = {"left": translate("Tapeline", "left"), "right": translate("Tapeline", "right")}.get(
             placement["compressed_side"], "")
-        self.verdict.setText(
-            translate("Tapeline", "on the surface; the {} side gives way ({:.0f} % of the line off it)").format(
-                side, 100 * placement["off_fraction"]) if on else
-            translate("Tapeline", "off the surface ({:.0f} % of the line); both sides bend").format(
-                100 * placement["off_fraction"]))
-        if self.result is None:
-            self.overlay.show(region.model.vertices, region.model.faces)
-            self._paint()
+        off = 100 * placement["off_fraction"]
+        if placement["verdict"] == "on_surface":
+            text = translate("Tapeline", "on the surface; the {} side gives way ({:.0f} % of the line off it)")
+            self.verdict.setText(text.format(side, off))
+        else:
+            text = translate("Tapeline", "off the surface ({:.0f} % of the line); both sides bend")
+            self.verdict.setText(text.format(off))
 
     def _paint(self):
         """Tints the two sides, or not."""
@@ -170,34 +181,53 @@ class MovePanel(Panel):
         self.say(translate("Tapeline", "Following…"))
         self._preview()
 
-    def _preview(self):
-        order, session, budget = self.current_order(), self.session, settings.preview_budget()
-        self.background.ask(lambda progress, cancel: session.preview(order, budget), self._previewed, self.failed,
-                            interrupt=False)
+    def _preview(self, patience=1):
+        """Asks for a preview; with patience it may take longer, to measure too, and gives way to the next drag."""
+        order, session, budget = self.preview_order(), self.session, patience * settings.preview_budget()
+        self._asked = time.monotonic()
+        self.compute(lambda progress, cancel: session.preview(order, budget, progress, cancel), self._previewed,
+                     interrupt=self._patient)
+        self._patient = patience > 1
 
     def _previewed(self, preview):
-        if preview is None:
-            return
+        self.latency = time.monotonic() - self._asked
+        self.faces_of_sides = (np.asarray(preview.tension_faces), np.asarray(preview.compression_faces))
         self.overlay.show(preview.vertices, preview.faces)
-        self.strip.show_measures(solving.strip_of_preview(preview.measures))
+        self._paint()
+        self._show_verdict(preview.placement)
         self.say(translate("Tapeline", "Preview; the exact surface comes when the mouse rests."))
         self._rest.start(settings.rest_delay())
+        measures = solving.strip_of(preview.measures)
+        if any(value is not None for value in measures.values()):
+            self.strip.show_measures(measures)
+        elif not self._patient and not self.background.busy:
+            self._preview(PATIENCE)
 
     def _released(self):
         self._rest.start(settings.rest_delay())
 
+    def _exactly(self):
+        """Work that returns the exact order and its result."""
+        make, session = self.exact_order(), self.session
+
+        def work(progress, cancel):
+            order = make()
+            return order, session.solve(order, progress, cancel)
+
+        return work
+
     def solve_exactly(self):
         """The exact result, in the background."""
-        order, session = self.current_order(), self.session
-        self.solver.ask(lambda progress, cancel: session.solve(order, progress, cancel),
-                        lambda result: self._solved(order, result), self._not_solved)
+        self.solver.ask(self._exactly(), self._solved, self._not_solved)
 
-    def _solved(self, order, result):
+    def _solved(self, made):
+        order, result = made
         self.progress.hide()
-        self.result = (order.digest, result)
+        self.result = made
         self.faces_of_sides = (np.asarray(result.tension_faces), np.asarray(result.compression_faces))
         self.overlay.show(result.vertices, result.faces)
         self._paint()
+        self._show_verdict(result.stats["placement"])
         self.strip.show_measures(solving.strip_of(result.measures))
         self.say("\n".join([translate("Tapeline", "Exact.")] + list(result.warnings)))
 
@@ -221,11 +251,9 @@ class MovePanel(Panel):
     # Leaving.
 
     def apply(self):
-        order = self.current_order()
         self._stop()
-        known = self.result[1] if self.result is not None and self.result[0] == order.digest else None
-        session = self.session
-        result = known or worker.run(lambda progress, cancel: session.solve(order, progress, cancel), self.title)
+        # Without a result yet, it is computed now, behind a dialog.
+        order, result = self.result or worker.run(self._exactly(), self.title)
         with api.transaction(self.document, self.title):
             self._store(order, result)
         self.applied = True
@@ -242,11 +270,8 @@ class MovePanel(Panel):
             properties.assign(self.move, {name: box.currentData()})
         if self.region is None:
             properties.assign(self.move, {"roi_distance": self.distance.value()})
-        # The result belongs to the curve that was laid on the surface; the target has it now.
-        done = order.with_curve(result.target.to_json(), fair=None, fair_limit=None, on_surface=None) \
-            if self.dragged else order
         own = solving.order_of(self.move)
-        if own.digest == done.digest:
+        if own.digest == order.digest:
             moves.adopt(self.move, own, result)
         api.computed(self.move)
 
@@ -255,5 +280,6 @@ class MovePanel(Panel):
         self.solver.close()
         super().leave()
         if self.applied:
-            self.model.ViewObject.Visibility = False
+            for obj in [self.model, self.target] + [obj for obj in self.model.InList if kind_of(obj) == "lines"]:
+                obj.ViewObject.Visibility = False
             self.move.ViewObject.Visibility = True

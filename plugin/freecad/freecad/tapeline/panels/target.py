@@ -113,7 +113,7 @@ class TargetPanel(Panel):
         self.compute(work, self._started)
 
     def _started(self, made):
-        self.editing.normals, base, _ = made
+        self.editing.normals, base = made
         if not self.editing.start(base, self.offsets):
             self.say(translate("Tapeline", "The number of control points changed, so their moves by hand are gone."))
         self.offsets = None
@@ -128,7 +128,7 @@ class TargetPanel(Panel):
             return
         recipe, source, curve = self.recipe(), self.source, self.editing.curve
         if recipe.fair or recipe.on_surface:
-            self.compute(lambda progress, cancel: targets.finished(models.load(source), recipe, curve), self._finished)
+            self.compute(lambda progress, cancel: targets.finished(source, recipe, curve), self._finished)
         else:
             self._finished(curve)
 

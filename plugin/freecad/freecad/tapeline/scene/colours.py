@@ -6,7 +6,7 @@ TENSION = (0.42, 0.62, 0.90)
 COMPRESSION = (0.95, 0.62, 0.32)
 REGION = (0.45, 0.75, 0.48)
 FIXED = (0.80, 0.15, 0.15)
-OUTSIDE = (0.72, 0.74, 0.78)
+OUTSIDE = (0.80, 0.82, 0.86)
 
 GRADES = {"green": "#2e9e44", "amber": "#e0a100", "red": "#cc2b2b", "": "#8a8a8a"}
 

@@ -6,7 +6,7 @@ from pivy import coin
 from . import nodes, zebra
 
 CREASE_ANGLE = 0.14  # [rad] edges sharper than this are drawn sharp
-BASE = (0.72, 0.74, 0.78)
+BASE = (0.80, 0.82, 0.86)
 
 
 class SurfaceOverlay:
