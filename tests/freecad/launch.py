@@ -35,9 +35,7 @@ def missing(gui):
 
 def command(gui):
     inside = str(HERE / "inside.py")
-    if gui:
-        return ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24", "freecad", inside, "-M", str(SOURCE)]
-    return ["freecadcmd", inside, "-M", str(SOURCE)]
+    return ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24", "freecad", inside] if gui else ["freecadcmd", inside]
 
 
 def environment(work, tests, names):
@@ -46,6 +44,9 @@ def environment(work, tests, names):
         folder = work / variable.lower()
         folder.mkdir()
         own[variable] = str(folder)
+    addons = work / "freecad_user_data" / "Mod"
+    addons.mkdir()
+    (addons / "tapeline").symlink_to(SOURCE)
     own.update(QTWEBENGINE_DISABLE_SANDBOX="1", LC_ALL="C.UTF-8", LIBGL_ALWAYS_SOFTWARE="1",
                TAPELINE_TESTS=str(tests), TAPELINE_TEST_NAMES=" ".join(names), TAPELINE_WORK=str(work),
                TAPELINE_SOURCE=str(SOURCE), PYTHONDONTWRITEBYTECODE="1")

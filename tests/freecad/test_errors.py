@@ -9,13 +9,13 @@ import zipfile
 import FreeCAD as App
 import numpy as np
 import Part
-from common import HOOD, LINE, PANEL, SLIDE, SOURCE, InADocument
+from common import HOOD, LINE, PANEL, SLIDE, InADocument
 
 from freecad.tapeline import api, arrays, engine, models
 
 
 def strip(across=40, along=60, crease=0.3, hole=()):
-    """A roof of two planes that meet in a crease, as vertices and faces; triangles of the cells in `hole` are left out."""
+    """A roof of two planes that meet in a crease, as vertices and faces, without the cells in `hole`."""
     x, y = np.meshgrid(np.linspace(-100, 100, across + 1), np.linspace(0, 300, along + 1))
     vertices = np.stack([x.ravel(), y.ravel(), -crease * np.abs(x.ravel())], axis=1)
     faces = []
@@ -127,7 +127,7 @@ class Errors(InADocument):
         saved = path.read_bytes()
         script = self.folder / "solve.py"
         script.write_text(SOLVE.format(path=str(path), sign=str(sign)))
-        process = subprocess.Popen(["freecadcmd", str(script), "-M", str(SOURCE)], stdin=subprocess.DEVNULL,
+        process = subprocess.Popen(["freecadcmd", str(script)], stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         end = time.monotonic() + 60
         while not sign.exists() and process.poll() is None and time.monotonic() < end:

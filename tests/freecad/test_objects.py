@@ -4,7 +4,7 @@ import unittest
 
 import FreeCAD as App
 import numpy as np
-from common import HOOD, LINE, PANEL, SLIDE, InADocument
+from common import HOOD, PANEL, SLIDE, InADocument
 
 from freecad.tapeline import api, arrays, engine, properties
 

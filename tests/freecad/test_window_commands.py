@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Commands in FreeCAD's window away from the straight path: nothing to work on, Cancel, curves, pins, jobs, preferences."""
+"""Commands in FreeCAD's window away from the straight path: nothing to work on, Cancel, curves, pins, jobs."""
 import pathlib
 import tempfile
 import unittest

@@ -22,7 +22,7 @@ def bspline_edge(line):
             distinct.append(float(knot))
             counts.append(1)
     points = arrays.vectors(line.control_points)
-    weights = [float(w) for w in line.weights] if line.weights is not None and len(line.weights) else [1.0] * len(points)
+    weights = [float(w) for w in line.weights]
     curve = Part.BSplineCurve()
     curve.buildFromPolesMultsKnots(points, counts, distinct, False, int(line.degree), weights)
     return curve.toShape()

@@ -28,19 +28,31 @@ def candidate_folders():
     return [folder for folder in folders if folder and os.path.isdir(os.path.join(folder, "tapeline"))]
 
 
-def _load():
+def _import():
+    """The module, or None where there is none. A mere folder of that name on the path, such as a source folder called
+    tapeline, imports as an empty package and does not count."""
     try:
-        return importlib.import_module("tapeline")
+        found = importlib.import_module("tapeline")
     except ModuleNotFoundError as error:
         if error.name != "tapeline":
             raise
+        return None
+    if getattr(found, "__file__", None) is None:
+        del sys.modules["tapeline"]
+        return None
+    return found
+
+
+def _load():
+    found = _import()
     for folder in candidate_folders():
-        sys.path.append(folder)
-        try:
-            return importlib.import_module("tapeline")
-        except ModuleNotFoundError:
-            sys.path.remove(folder)
-    return None
+        if found is None:
+            sys.path.append(folder)
+            importlib.invalidate_caches()
+            found = _import()
+            if found is None:
+                sys.path.remove(folder)
+    return found
 
 
 def module():

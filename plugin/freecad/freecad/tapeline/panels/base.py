@@ -42,7 +42,7 @@ class Panel:
     # What FreeCAD calls.
 
     def getStandardButtons(self):  # noqa: N802 (FreeCAD's name)
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+        return buttons(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):
         try:
@@ -111,6 +111,11 @@ class Panel:
             done(result)
 
         self.background.ask(work, finished, self.failed, interrupt)
+
+
+def buttons(flags):
+    """Standard buttons as the number that FreeCAD wants; Qt 5's flags are numbers, Qt 6's have one."""
+    return flags.value if hasattr(flags, "value") else int(flags)
 
 
 def combo(choices, current=None):

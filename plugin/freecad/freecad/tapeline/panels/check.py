@@ -9,7 +9,7 @@ from ..scene import colours
 from ..scene.overlay import SurfaceOverlay
 from ..scene.sections import SectionCombs
 from ..text import translate
-from .base import Panel, SavedVisibility, combo
+from .base import Panel, SavedVisibility, buttons, combo
 
 PLAIN, ZEBRA, GAUSS, MEAN, DISTANCE, MOVED = "plain", "zebra", "gauss", "mean", "distance", "displacement"
 
@@ -67,7 +67,7 @@ class CheckPanel(Panel):
         self.column.insertWidget(1, self.table)
 
     def getStandardButtons(self):  # noqa: N802 (FreeCAD's name)
-        return int(QtGui.QDialogButtonBox.Close)
+        return buttons(QtGui.QDialogButtonBox.Close)
 
     def _ready(self, made):
         self.result, self.maps, self.sections = made

@@ -14,7 +14,7 @@ from ..scene import colours
 from ..scene.overlay import SurfaceOverlay
 from ..session import MoveSession
 from ..text import translate
-from .base import AUTOMATIC, Panel, SavedVisibility, button, combo, number, row, wrapped
+from .base import AUTOMATIC, Panel, SavedVisibility, button, buttons, combo, number, row, wrapped
 from .curve_editing import CurveEditing, mode_box, prepared
 from .strip import QualityStrip
 
@@ -94,7 +94,7 @@ class MovePanel(Panel):
         self.rows.addRow(row(button(translate("Tapeline", "Undo dragging"), self._reset), self.stop))
 
     def getStandardButtons(self):  # noqa: N802 (FreeCAD's name)
-        return int(QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel)
+        return buttons(QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel)
 
     def clicked(self, which):
         if which == QtGui.QDialogButtonBox.Apply:
@@ -112,7 +112,8 @@ class MovePanel(Panel):
         """What a preview answers: the curve as it is dragged; the engine lays it on the surface."""
         if not self.ours:
             return self.order.with_curve(self.order.curve, **self._options())
-        return self.order.with_curve(self.editing.curve.to_json(), **self._options(), **targets.finish_keys(self.recipe))
+        return self.order.with_curve(self.editing.curve.to_json(), **self._options(),
+                                     **targets.finish_keys(self.recipe))
 
     def exact_order(self):
         """A function that makes the order of the exact result, in any thread: the curve is finished first, just as the
@@ -200,7 +201,9 @@ class MovePanel(Panel):
         measures = solving.strip_of(preview.measures)
         if any(value is not None for value in measures.values()):
             self.strip.show_measures(measures)
-        elif not self._patient and not self.background.busy:
+            return
+        self.strip.mark_old()
+        if not self._patient and not self.background.busy:
             self._preview(PATIENCE)
 
     def _released(self):

@@ -13,7 +13,8 @@ class QualityStrip(QtGui.QWidget):
     def __init__(self):
         super().__init__()
         names = {"Bulge": translate("Tapeline", "bulge"), "Inflections": translate("Tapeline", "inflections"),
-                 "CreaseAngle": translate("Tapeline", "crease change"), "LineError": translate("Tapeline", "line error")}
+                 "CreaseAngle": translate("Tapeline", "crease change"),
+                 "LineError": translate("Tapeline", "line error")}
         self.setObjectName("strip")
         grid = QtGui.QGridLayout(self)
         grid.setContentsMargins(0, 4, 0, 4)
@@ -36,3 +37,9 @@ class QualityStrip(QtGui.QWidget):
             self.grades[name] = grade
             label.setText("–" if value is None else FORMATS[name].format(value))
             label.setStyleSheet(f"background: {GRADES[grade]}; color: white; padding: 3px; border-radius: 3px;")
+
+    def mark_old(self):
+        """The numbers belong to an earlier place of the line: what is shown now was not measured."""
+        for label in self._values.values():
+            if label.text() not in ("–", "") and not label.text().endswith(" …"):
+                label.setText(label.text() + " …")

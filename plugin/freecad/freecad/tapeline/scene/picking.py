@@ -7,7 +7,7 @@ from .handles import Projection
 
 
 def hit(origin, direction, vertices, faces):
-    """The nearest triangle that a ray meets and the place, or (-1, None). Möller and Trumbore, all triangles at once."""
+    """The nearest triangle that a ray meets and the place, or (-1, None). Möller and Trumbore's test of all at once."""
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     e1, e2 = b - a, c - a
     p = np.cross(direction, e2)
