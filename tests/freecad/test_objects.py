@@ -4,6 +4,7 @@ import unittest
 
 import FreeCAD as App
 import numpy as np
+import Part
 from common import HOOD, PANEL, SLIDE, InADocument
 
 from freecad.tapeline import api, arrays, engine, properties
@@ -111,6 +112,49 @@ class Objects(InADocument):
         first.Target.Slide = [0, 22, 0]
         self.document.recompute()
         self.assertNotEqual(second.Inputs, before)
+
+    def test_part_and_mesh_objects_of_the_document_become_models(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        model = api.import_model(box)
+        self.assertEqual(api.find_lines(model).Count, 12)
+        mesh = self.document.addObject("Mesh::Feature", "Mesh")
+        mesh.Mesh = model.Mesh
+        mesh.Placement.Base = App.Vector(0, 0, 7)
+        placed = api.import_model(mesh)
+        self.assertEqual(np.asarray(api.engine_model(placed).vertices)[:, 2].min(), 7)
+        box.Length = 25
+        self.document.recompute()
+        self.assertEqual(np.asarray(api.engine_model(model).vertices)[:, 0].max(), 25)
+
+    def roof(self):
+        """Four plane faces side by side, 50 mm wide; the middle edge is the only sharp one."""
+        faces = [Part.Face(Part.makePolygon([(a, 0, -0.3 * abs(a)), (a + 50, 0, -0.3 * abs(a + 50)),
+                                             (a + 50, 300, -0.3 * abs(a + 50)), (a, 300, -0.3 * abs(a)),
+                                             (a, 0, -0.3 * abs(a))])) for a in (-100, -50, 0, 50)]
+        roof = self.document.addObject("Part::Feature", "Roof")
+        roof.Shape = Part.makeShell(faces)
+        return roof
+
+    def test_a_protected_face_stays_where_it_is(self):
+        model = api.import_model(self.roof())
+        self.assertEqual(api.find_lines(model).Count, 1)
+        target = api.target_line(model, "0@25%..75%", slide=[0, 15, 0])
+        shifts = []
+        for faces in ([], [0, 3]):
+            move = api.move(target, region=api.region(target, roi_distance=90, protected_faces=faces))
+            result = api.result(move)
+            rest = np.asarray(result.rest_vertices)
+            outer = np.abs(rest[:, 0]) >= 50
+            shifts.append(np.abs(np.asarray(result.vertices) - rest)[outer].max())
+        self.assertGreater(shifts[0], 1e-3)
+        self.assertEqual(shifts[1], 0)
+
+    def test_protecting_a_face_at_the_line_is_refused_in_a_sentence(self):
+        model = api.import_model(PANEL, self.document)
+        target = api.target_line(model, "0@25%..75%", slide=SLIDE)
+        with self.assertRaisesRegex(engine.UserError, "stay fixed but lies on the line"):
+            api.region(target, protected_faces=[int(api.engine_model(model).face_ids[0])])
 
     def test_a_failed_function_leaves_no_object_behind(self):
         model = api.import_model(PANEL, self.document)

@@ -121,6 +121,45 @@ class Commands(unittest.TestCase):
         self.assertLess(abs(moved @ normal), 1e-3 * np.linalg.norm(moved))
         np.testing.assert_allclose(handles.pixel_of(index), start + np.array([0.0, 40.0]), atol=1.0)
 
+    def test_the_verdict_can_be_overruled(self):
+        self.with_target(slide=SLIDE)
+        run("Tapeline_Move")
+        panel = Panel.open_panel
+        window.wait_until(lambda: "left side" in panel.verdict.text(), 40, "the verdict")
+        box = panel.boxes["placement"]
+        box.setCurrentIndex(box.findData("off-surface"))
+        window.wait_until(lambda: panel.verdict.text().startswith("off the surface"), 40, "the other verdict")
+        window.wait_until(lambda: panel.result is not None, 40, "the exact result")
+        self.assertTrue(panel.accept())
+        self.assertEqual(self.document.FeatureLineMove.LinePlacement, "off-surface")
+        self.assertEqual(self.document.FeatureLineMove.Verdict, "off_surface")
+
+    def test_a_recompute_can_be_cancelled_behind_its_dialog(self):
+        from PySide import QtCore
+
+        _, target = self.with_target(slide=SLIDE)
+        move = api.move(target)
+        before = arrays.rows(move, "Vertices").tobytes()
+        seen = []
+
+        def cancel():
+            for dialog in QtGui.QApplication.topLevelWidgets():
+                if isinstance(dialog, QtGui.QProgressDialog):
+                    seen.append(dialog)
+                    dialog.cancel()
+
+        timer = QtCore.QTimer()
+        timer.timeout.connect(cancel)
+        timer.start(50)
+        target.Slide = [0, 35, 0]
+        self.document.recompute()
+        timer.stop()
+        self.assertTrue(seen)
+        self.assertTrue({"Invalid", "Touched"} & set(move.State) or "Invalid" in target.State)
+        self.assertEqual(arrays.rows(move, "Vertices").tobytes(), before)
+        self.document.recompute()
+        self.assertNotEqual(arrays.rows(move, "Vertices").tobytes(), before)
+
     def test_solving_can_be_stopped_and_the_window_stays_alive(self):
         self.with_target(slide=SLIDE)
         run("Tapeline_Move")

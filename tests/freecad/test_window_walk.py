@@ -176,9 +176,11 @@ class Walk(unittest.TestCase):
               "s; longest pause of the window:", round(heart.stop(), 3), "s")
         self.assertLess(heart.longest, 1.5)
         self.assertEqual(set(panel.strip.grades.values()) - {"green", "amber", "red"}, set())
+        order = panel.result[0]
         press(QtGui.QDialogButtonBox.Apply)
         window.wait_until(lambda: objects("move") and objects("move")[0].Vertices, 40, "the move")
         self.assertFalse(Gui.Control.activeDialog())
+        self.assertEqual(objects("move")[0].Inputs, order.digest, "the panel's exact result was taken over")
         window.keep("11_applied")
 
     def test_08_undo_takes_the_move_and_the_drag_back(self):

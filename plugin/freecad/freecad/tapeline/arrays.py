@@ -54,7 +54,7 @@ def display_mesh(vertices, faces):
 
 
 def mesh_arrays(mesh):
-    """Vertices (n x 3) and faces (m x 3) of a Mesh."""
+    """Vertices (n x 3, where the mesh is placed) and faces (m x 3) of a Mesh."""
     points, facets = mesh.Topology
     return np.array([tuple(point) for point in points], dtype=np.float64), np.array(facets, dtype=np.int32)
 

@@ -70,9 +70,6 @@ def _source_of_object(base, keys):
         return Source(arrays.digest(digest, repr(sorted(keys.items()))), path, keys)
     if hasattr(base, "Mesh") and base.Mesh.CountFacets:
         vertices, faces = arrays.mesh_arrays(base.Mesh)
-        matrix = base.Placement.toMatrix()
-        rotation = np.array(matrix.A).reshape(4, 4)
-        vertices = vertices @ rotation[:3, :3].T + rotation[:3, 3]
         return Source(arrays.digest(vertices, faces), vertices=vertices, faces=faces)
     raise engine.UserError(translate("Tapeline", "'{}' has neither a shape nor a mesh: choose a styling model, a Part "
                                      "or a Mesh object.").format(base.Label))

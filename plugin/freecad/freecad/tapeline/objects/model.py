@@ -4,7 +4,7 @@ import json
 import os
 
 from .. import arrays, engine, models, properties
-from ..text import translate, warn
+from ..text import inform, translate, warn
 from .base import Proxy, create, property_if_missing
 
 CAD_ENDINGS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
@@ -33,6 +33,8 @@ class StylingModel(Proxy):
         obj.VertexCount, obj.TriangleCount = len(model.vertices), len(model.faces)
         report = dict(model.report)
         obj.SourceUnit = str(report.get("units", ""))
+        inform(translate("Tapeline", "{}: {} vertices, {} triangles, lengths in {}").format(
+            obj.Label, obj.VertexCount, obj.TriangleCount, obj.SourceUnit or "mm"))
         obj.Report = json.dumps(report, default=str, sort_keys=True)
         for sentence in report.get("warnings", []):
             warn(f"{obj.Label}: {sentence}")
