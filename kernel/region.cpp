@@ -294,6 +294,29 @@ Result<Region> make_checked(const Request& r)
     return region;
 }
 
+/// The options with the vertices of the fixed CAD faces among the fixed vertices.
+Result<RegionOptions> with_fixed_faces(const Model& model, const RegionOptions& options)
+{
+    RegionOptions all = options;
+    for (const int face : options.fixed_cad_faces) {
+        if (std::ranges::find(model.cad_face, face) == model.cad_face.end()) {
+            return fail(ErrorKind::rejected,
+                        fmt::format("CAD face {}, which is to stay fixed, does not exist in this model", face));
+        }
+    }
+    for (std::size_t t = 0; t < model.cad_face.size() && !options.fixed_cad_faces.empty(); ++t) {
+        if (std::ranges::find(options.fixed_cad_faces, model.cad_face[t]) != options.fixed_cad_faces.end()) {
+            for (int corner = 0; corner < 3; ++corner) {
+                all.fixed_vertices.push_back(model.mesh.F(static_cast<Eigen::Index>(t), corner));
+            }
+        }
+    }
+    std::ranges::sort(all.fixed_vertices);
+    all.fixed_vertices.erase(std::unique(all.fixed_vertices.begin(), all.fixed_vertices.end()),
+                             all.fixed_vertices.end());
+    return all;
+}
+
 } // namespace
 
 Region region_of_faces(const Model& model, std::vector<int> faces, bool free_borders,
@@ -304,8 +327,13 @@ Region region_of_faces(const Model& model, std::vector<int> faces, bool free_bor
 }
 
 Result<Region> make_region(const Model& model, const FeatureLine& line, const std::vector<Vec3>& targets,
-                           const RegionOptions& options)
+                           const RegionOptions& given)
 try {
+    const Result<RegionOptions> expanded = with_fixed_faces(model, given);
+    if (!expanded) {
+        return tl::unexpected(expanded.error());
+    }
+    const RegionOptions& options = *expanded;
     const Topology topology(model.mesh.F, static_cast<int>(model.mesh.V.rows()));
     if (auto checked = check_request(model, topology, line, targets, options); !checked) {
         return tl::unexpected(checked.error());

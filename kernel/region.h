@@ -29,6 +29,7 @@ struct RegionOptions {
     std::optional<Eigen::AlignedBox3d> box; ///< instead of a band: triangles whose corners all lie in this box [mm]
     bool free_borders = false;              ///< open borders of the model inside the region may move
     std::vector<int> fixed_vertices;        ///< inner constraints: these vertices stay
+    std::vector<int> fixed_cad_faces;       ///< inner constraints: all vertices of these CAD faces stay
 };
 
 /// Chooses the region around `line` for moving it to the points `targets` (one per line vertex, or empty). At most

@@ -56,6 +56,7 @@ struct RegionSettings {
     std::vector<double> roi_box;
     bool free_borders = false;
     std::vector<int> fixed_vertices;
+    std::vector<int> fixed_faces;
 };
 
 struct MoveSettings {

@@ -146,6 +146,8 @@ void add_region_options(std::vector<Option>& table)
          .help = "Let open borders of the model inside the region move."},
         {.section = "region", .name = "fixed_vertices", .slot = at<r, &R::fixed_vertices>, .commands = moving,
          .help = "Vertices of the input inside the region that stay where they are.", .min = 0, .max = 2147483647},
+        {.section = "region", .name = "fixed_faces", .slot = at<r, &R::fixed_faces>, .commands = moving,
+         .help = "CAD faces inside the region that stay where they are, by their numbers.", .min = 0, .max = 1e9},
     });
 }
 

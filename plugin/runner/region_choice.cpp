@@ -76,6 +76,7 @@ Result<RegionOptions> region_options(const Model& model, const std::vector<Featu
     options.cad_faces = settings.roi_faces;
     options.free_borders = settings.free_borders;
     options.fixed_vertices = settings.fixed_vertices;
+    options.fixed_cad_faces = settings.fixed_faces;
     if (!settings.roi_box.empty()) {
         const auto& b = settings.roi_box;
         options.box = Eigen::AlignedBox3d(Vec3(b[0], b[1], b[2]), Vec3(b[3], b[4], b[5]));

@@ -142,7 +142,7 @@ class Objects(InADocument):
         target = api.target_line(model, "0@25%..75%", slide=[0, 15, 0])
         shifts = []
         for faces in ([], [0, 3]):
-            move = api.move(target, region=api.region(target, roi_distance=90, protected_faces=faces))
+            move = api.move(target, region=api.region(target, roi_distance=90, fixed_faces=faces))
             result = api.result(move)
             rest = np.asarray(result.rest_vertices)
             outer = np.abs(rest[:, 0]) >= 50
@@ -154,7 +154,7 @@ class Objects(InADocument):
         model = api.import_model(PANEL, self.document)
         target = api.target_line(model, "0@25%..75%", slide=SLIDE)
         with self.assertRaisesRegex(engine.UserError, "stay fixed but lies on the line"):
-            api.region(target, protected_faces=[int(api.engine_model(model).face_ids[0])])
+            api.region(target, fixed_faces=[int(api.engine_model(model).face_ids[0])])
 
     def test_a_failed_function_leaves_no_object_behind(self):
         model = api.import_model(PANEL, self.document)

@@ -75,7 +75,7 @@ def target_line(model, line="0", curve=None, **keys):
 
 
 def region(target, **region_keys):
-    """A region around a target line; `protected_faces` are numbers of CAD faces that stay."""
+    """A region around a target line."""
     with transaction(target.Document, translate("Tapeline", "Region")):
         return computed(create_region(target.Document, target, **region_keys))
 

@@ -21,7 +21,7 @@ def save_job(move, path, description=""):
     model_name = _write_model(order.source, folder, stem)
     target_name = stem + "_target.json"
     order.target().write(os.path.join(folder, target_name))
-    job = properties.sections_of({**order.source.keys, **order.line_keys, **order.all_keys()})
+    job = properties.sections_of({**order.source.keys, **order.line_keys, **order.keys})
     job.setdefault("lines", {})["line"] = order.line
     job.setdefault("target", {})["target"] = target_name
     job.update(input=model_name, description=description or move.Label,

@@ -92,20 +92,6 @@ def load(source):
     return _read.keep(source.digest, model)
 
 
-def vertices_of_faces(model, numbers):
-    """The vertices of CAD faces, by the faces' numbers."""
-    chosen = np.isin(np.asarray(model.face_ids), numbers)
-    return [int(v) for v in np.unique(np.asarray(model.faces)[chosen])]
-
-
-def with_protected(keys, model, faces):
-    """Region keys with the vertices of protected CAD faces among the fixed ones."""
-    if not faces:
-        return dict(keys)
-    fixed = set(keys.get("fixed_vertices", [])) | set(vertices_of_faces(model, faces))
-    return {**keys, "fixed_vertices": sorted(fixed)}
-
-
 def line_of(model, selector, line_keys):
     """The engine's feature line for a selector: "0", a part as "0@10%..85%" or "0@120..900" (mm), or the name of a file
     of vertex indices."""

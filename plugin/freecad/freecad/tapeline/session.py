@@ -20,7 +20,7 @@ class MoveSession:
         with self._making:
             editor = self._editors.get(base)
             if editor is None:
-                editor = engine.module().Editor(order.model(), order.feature_line(), **order.all_keys())
+                editor = engine.module().Editor(order.model(), order.feature_line(), **order.keys)
                 self._editors.keep(base, editor)
             return editor
 

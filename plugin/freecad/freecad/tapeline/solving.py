@@ -19,12 +19,11 @@ class Order:
     curve: str
     line_keys: dict = field(default_factory=dict)
     keys: dict = field(default_factory=dict)
-    protected_faces: list = field(default_factory=list)
 
     @property
     def digest(self):
         """Names the result: the same digest gives the same bytes."""
-        said = json.dumps([self.line_keys, self.keys, self.protected_faces], sort_keys=True)
+        said = json.dumps([self.line_keys, self.keys], sort_keys=True)
         return arrays.digest(self.source.digest, self.line, self.curve, said, engine.module().version())
 
     def model(self):
@@ -35,10 +34,6 @@ class Order:
 
     def target(self):
         return curves.from_json(self.curve)
-
-    def all_keys(self):
-        """The options, with the vertices of protected faces among the fixed ones."""
-        return models.with_protected(self.keys, self.model(), self.protected_faces)
 
     def with_curve(self, curve, **keys):
         """The same order to another target line, with some keys changed (None takes one out)."""
@@ -51,13 +46,13 @@ class Order:
         if known is not None:
             return known
         result = engine.module().move(self.model(), self.feature_line(), self.target(), progress=progress,
-                                      cancel=cancel, **self.all_keys())
+                                      cancel=cancel, **self.keys)
         return results.keep(self.digest, result)
 
     def place(self, progress=None, cancel=None):
         """What would move, before anything is solved: the engine's region with verdict and sides."""
         return self.model().region(self.feature_line(), self.target(), progress=progress, cancel=cancel,
-                                   **self.all_keys())
+                                   **self.keys)
 
 
 def order_of(obj):
@@ -70,7 +65,7 @@ def order_of(obj):
     holder = obj.Region if obj.Region is not None else obj
     keys.update(properties.keys(holder, ["region"]))
     return Order(models.source_of(obj.Model), obj.Line, curves.curve_of(obj.Target).to_json(),
-                 properties.keys(obj, ["lines"]), keys, list(getattr(holder, "ProtectedFaces", [])))
+                 properties.keys(obj, ["lines"]), keys)
 
 
 def is_target(obj):
@@ -82,7 +77,7 @@ def order_for(target, region=None):
     """The order of a move that is not in the document yet, with all options at their defaults."""
     keys = properties.keys(region, ["region"]) if region is not None else {}
     return Order(models.source_of(target.Model), target.Line, curves.curve_of(target).to_json(),
-                 properties.keys(target, ["lines"]), keys, list(getattr(region, "ProtectedFaces", [])))
+                 properties.keys(target, ["lines"]), keys)
 
 
 def measure(measures, *path):

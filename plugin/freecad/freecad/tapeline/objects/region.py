@@ -11,8 +11,6 @@ class MoveRegion(Proxy):
 
     def add_properties(self, obj):
         property_if_missing(obj, "App::PropertyLink", "Target", "Region", "Target line, which also says model and line")
-        property_if_missing(obj, "App::PropertyIntegerList", "ProtectedFaces", "Region",
-                            "Numbers of CAD faces that stay where they are")
         property_if_missing(obj, "App::PropertyInteger", "VertexCount", "Region", "Vertices in the region", 1)
         property_if_missing(obj, "App::PropertyInteger", "TriangleCount", "Region", "Triangles in the region", 1)
         properties.add(obj, ["region"])
@@ -23,21 +21,13 @@ class MoveRegion(Proxy):
                                    .format(obj.Label))
         model = models.load(models.source_of(obj.Target.Model))
         line = models.line_of(model, obj.Target.Line, properties.keys(obj.Target, ["lines"]))
-        region = model.region(line, curves.curve_of(obj.Target), **region_keys(obj, model))
+        region = model.region(line, curves.curve_of(obj.Target), **properties.keys(obj, ["region"]))
         obj.VertexCount, obj.TriangleCount = len(region.vertices), len(region.faces)
-
-
-def region_keys(obj, model):
-    """The region's keys; the vertices of protected faces join the fixed ones."""
-    return models.with_protected(properties.keys(obj, ["region"]), model, list(obj.ProtectedFaces))
 
 
 def create_region(document, target, **keys):
     obj = create(document, "App::FeaturePython", "MoveRegion", MoveRegion,
                  translate("Tapeline", "Region of {}").format(target.Label))
     obj.Target = target
-    protected = keys.pop("protected_faces", None)
-    if protected is not None:
-        obj.ProtectedFaces = list(protected)
     properties.assign(obj, keys)
     return obj

@@ -23,7 +23,7 @@ class RegionPanel(Panel):
         super().__init__(self.target.Document)
         self.source = models.source_of(self.target.Model)
         self.fixed = set(region.FixedVertices) if region is not None else set()
-        self.protected = set(region.ProtectedFaces) if region is not None else set()
+        self.protected = set(region.FixedFaces) if region is not None else set()
         self._build(properties.keys(region, ["region"]) if region is not None else {})
         self.overlay = self.decorate(SurfaceOverlay(self.view))
         self.decorate(SavedVisibility(self.target.Model))
@@ -81,13 +81,14 @@ class RegionPanel(Panel):
         words = [word.strip() for word in self.lines.text().split(",") if word.strip()]
         keys = {"roi_distance": self.distance.value(), "roi_lines": words,
                 "roi_faces": [int(n) for n in curves.parse_law(self.faces.text())],
-                "free_borders": self.borders.isChecked(), "fixed_vertices": sorted(self.fixed)}
+                "free_borders": self.borders.isChecked(), "fixed_vertices": sorted(self.fixed),
+                "fixed_faces": sorted(self.protected)}
         return {key: value for key, value in keys.items() if value}
 
     def order(self):
         """What would be moved; raises a sentence about a field."""
         return solving.Order(self.source, self.target.Line, curves.curve_of(self.target).to_json(),
-                             properties.keys(self.target, ["lines"]), self.keys(), sorted(self.protected))
+                             properties.keys(self.target, ["lines"]), self.keys())
 
     def update(self):
         """The region as a move would choose it, on triangles made even for it."""
@@ -101,7 +102,7 @@ class RegionPanel(Panel):
     def _update_quickly(self):
         """While the slider moves: the band on the triangles that are there; the exact one follows."""
         self._rest.start(settings.rest_delay())
-        if self.shown is None or self.fixed or self.protected:
+        if self.shown is None or self.fixed:
             return
         shown, curve, keys = self.shown, curves.curve_of(self.target), self.keys()
         self.compute(lambda progress, cancel: shown.model.region(shown.line, curve, remesh="off", **keys),
@@ -151,11 +152,10 @@ class RegionPanel(Panel):
     def apply(self):
         keys = self.keys()
         everything = {"roi_distance": 0, "roi_lines": [], "roi_faces": [], "free_borders": False,
-                      "fixed_vertices": [], **keys}
+                      "fixed_vertices": [], "fixed_faces": [], **keys}
         with api.transaction(self.document, self.title):
             if self.region is None:
                 self.region = regions.create_region(self.document, self.target)
             properties.assign(self.region, everything)
-            self.region.ProtectedFaces = sorted(self.protected)
             api.computed(self.region)
         Gui.Selection.clearSelection()
