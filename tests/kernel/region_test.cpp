@@ -252,3 +252,31 @@ TEST(Region, CompletesAGivenListOfTriangles)
     EXPECT_EQ(region.fixed_rim.size(), 2U * 40 + 2 * 10);
     EXPECT_EQ(region.inner_fixed, std::vector<int>{inner});
 }
+
+TEST(RegionByFaces, FixedCadFacesHoldAllTheirVertices)
+{
+    Sheet sheet;
+    sheet.model.cad_face.assign(sheet.model.mesh.F.rows(), 0);
+    for (Eigen::Index t = 0; t < sheet.model.mesh.F.rows(); ++t) {
+        const Vec3 middle =
+            (sheet.model.mesh.V.row(sheet.model.mesh.F(t, 0)) + sheet.model.mesh.V.row(sheet.model.mesh.F(t, 1)) +
+             sheet.model.mesh.V.row(sheet.model.mesh.F(t, 2))) /
+            3;
+        sheet.model.cad_face[t] = middle.y() > 30 ? 7 : 0;
+    }
+    RegionOptions options;
+    options.distance_mm = 60;
+    options.fixed_cad_faces = {7};
+    const auto region = make_region(sheet.model, sheet.line, sheet.moved_by({0, 5, 0}), options);
+    ASSERT_TRUE(region) << region.error().message;
+    EXPECT_GT(region->inner_fixed.size(), 50U);
+    for (const int v : region->vertices) {
+        const bool held =
+            std::ranges::binary_search(region->inner_fixed, v) || std::ranges::binary_search(region->fixed_rim, v);
+        EXPECT_TRUE(held || sheet.model.mesh.V(v, 1) < 30);
+    }
+    options.fixed_cad_faces = {9};
+    const auto unknown = make_region(sheet.model, sheet.line, {}, options);
+    ASSERT_FALSE(unknown);
+    EXPECT_NE(unknown.error().message.find("CAD face 9"), std::string::npos);
+}

@@ -56,6 +56,11 @@ class LinesView(View):
         self._labels = LabelGroup()
         view.RootNode.addChild(self._labels.root)
         self._relabel(view.Object)
+        self._labels.visible(view.Visibility)
+
+    def onChanged(self, view, name):  # noqa: N802
+        if name == "Visibility" and hasattr(self, "_labels"):
+            self._labels.visible(view.Visibility)
 
     def updateData(self, obj, name):  # noqa: N802
         if name == "Shape":

@@ -12,19 +12,25 @@ class LabelGroup:
     """A set of short texts; `root` is the node to add to a scene."""
 
     def __init__(self):
-        self.root = coin.SoAnnotation()  # in front, or the surface would swallow half of a text
+        self.root = coin.SoSwitch()
+        self._words = coin.SoAnnotation()  # in front, or the surface would swallow half of a text
+        self.root.addChild(self._words)
+        self.visible(True)
+
+    def visible(self, on):
+        self.root.whichChild = coin.SO_SWITCH_ALL if on else coin.SO_SWITCH_NONE
 
     def show(self, labels):
         """Shows (text, point) pairs instead of what was there."""
-        self.root.removeAllChildren()
+        self._words.removeAllChildren()
         font = coin.SoFont()
         font.name = "Sans:Bold"
         font.size = SIZE
         for node in (nodes.unpickable(), nodes.unlit(), nodes.flat_colour(COLOUR), font):
-            self.root.addChild(node)
+            self._words.addChild(node)
         for text, point in labels:
             place = coin.SoTranslation()
             place.translation = tuple(point)
             word = coin.SoText2()
             word.string = " " + text
-            self.root.addChild(nodes.group(place, word))
+            self._words.addChild(nodes.group(place, word))

@@ -812,6 +812,11 @@
       <source>{}: the number of control points changed, so their moves by hand are gone.</source>
       <translation type="unfinished" />
     </message>
+    <message>
+      <location filename="../../objects/model.py" />
+      <source>{}: {} vertices, {} triangles, lengths in {}</source>
+      <translation type="unfinished" />
+    </message>
   </context>
   <context>
     <name>TapelinePreferences</name>
