@@ -134,6 +134,24 @@ class Commands(unittest.TestCase):
         self.assertEqual(self.document.FeatureLineMove.LinePlacement, "off-surface")
         self.assertEqual(self.document.FeatureLineMove.Verdict, "off_surface")
 
+    def test_a_double_click_opens_a_move_again_and_apply_changes_it_in_one_step(self):
+        _, target = self.with_target(slide=SLIDE)
+        move = api.move(target)
+        before = arrays.rows(move, "Vertices").tobytes()
+        move.ViewObject.Proxy.doubleClicked(move.ViewObject)
+        window.settle(0.2)
+        panel = Panel.open_panel
+        box = panel.boxes["method"]
+        box.setCurrentIndex(box.findData("arap"))
+        window.wait_until(lambda: panel.result is not None and panel.result[0].keys.get("method") == "arap", 60,
+                          "the other method's result")
+        self.assertTrue(panel.accept())
+        self.assertEqual(move.Method, "arap")
+        self.assertNotEqual(arrays.rows(move, "Vertices").tobytes(), before)
+        self.document.undo()
+        self.assertNotEqual(move.Method, "arap")
+        self.assertEqual(arrays.rows(move, "Vertices").tobytes(), before)
+
     def test_a_recompute_can_be_cancelled_behind_its_dialog(self):
         from PySide import QtCore
 

@@ -205,7 +205,7 @@ class Walk(unittest.TestCase):
             window.keep("12_check_" + box.itemData(index))
         for kind, pixels in pictures.items():
             if kind != "plain":
-                self.assertGreater(window.changed_share(pictures["plain"], pixels), 0.01, kind)
+                self.assertGreater(window.changed_share(pictures["plain"], pixels), 0.003, kind)
         press(QtGui.QDialogButtonBox.Close)
 
     def test_10_sections(self):

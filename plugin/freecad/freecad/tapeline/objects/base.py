@@ -2,8 +2,8 @@
 """What all document objects have in common."""
 import FreeCAD as App
 
-from .. import engine
-from ..text import complain, sentence_of
+from .. import engine, worker
+from ..text import complain, sentence_of, translate
 
 
 class Proxy:
@@ -28,8 +28,11 @@ class Proxy:
         try:
             self.compute(obj)
         except engine.errors() as error:
-            complain(f"{obj.Label}: {sentence_of(error)}")
-            raise RuntimeError(sentence_of(error)) from None
+            sentence = sentence_of(error)
+            if worker.cancelled(error):
+                sentence = translate("Tapeline", "The computation was cancelled; recompute to do it after all.")
+            complain(f"{obj.Label}: {sentence}")
+            raise RuntimeError(sentence) from None
 
     def compute(self, obj):
         """The object's own work."""

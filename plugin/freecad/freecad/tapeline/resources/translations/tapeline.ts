@@ -506,6 +506,11 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../objects/base.py" />
+      <source>The computation was cancelled; recompute to do it after all.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../curves.py" />
       <source>The edges of '{}' form {} separate curves; a target line is one connected curve: select the edges that belong to it.</source>
       <translation type="unfinished" />
