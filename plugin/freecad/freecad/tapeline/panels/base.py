@@ -157,6 +157,7 @@ def whole(value, low, high, special=""):
 
 def button(text, action, tip=""):
     push = QtGui.QPushButton(text)
+    push.setMinimumWidth(40)
     push.clicked.connect(lambda *_: action())
     push.setToolTip(tip)
     return push

@@ -60,6 +60,7 @@ class RegionPanel(Panel):
         for push, tip in ((self.pin, translate("Tapeline", "Click vertices in the 3D view that shall stay")),
                           (self.protect, translate("Tapeline", "Click CAD faces in the 3D view that shall stay"))):
             push.setCheckable(True)
+            push.setMinimumWidth(40)
             push.setToolTip(tip)
         self.pin.toggled.connect(lambda on: self.protect.setChecked(False) if on else None)
         self.protect.toggled.connect(lambda on: self.pin.setChecked(False) if on else None)
