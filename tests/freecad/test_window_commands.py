@@ -152,6 +152,17 @@ class Commands(unittest.TestCase):
         self.assertNotEqual(move.Method, "arap")
         self.assertEqual(arrays.rows(move, "Vertices").tobytes(), before)
 
+    def test_a_panel_whose_document_is_closed_can_still_be_left(self):
+        self.with_target(slide=SLIDE)
+        run("Tapeline_Move")
+        window.wait_until(lambda: Panel.open_panel.background.busy, 40, "the background's start")
+        App.closeDocument(self.document.Name)
+        window.settle(0.5)
+        if Panel.open_panel is not None:
+            Panel.open_panel.reject()
+        window.settle(0.5)
+        self.assertFalse(Gui.Control.activeDialog())
+
     def test_a_recompute_can_be_cancelled_behind_its_dialog(self):
         from PySide import QtCore
 

@@ -42,9 +42,6 @@ class Task:
     def running(self):
         return self._thread.is_alive()
 
-    def join(self, seconds=None):
-        self._thread.join(seconds)
-
 
 class Latest:
     """Runs the newest request only: while one runs, a later one replaces whatever waits, and cancels what runs if
@@ -78,10 +75,8 @@ class Latest:
             self._task.cancel()
 
     def close(self):
-        """As drop, and waits a moment for the thread."""
+        """As drop, for good; a thread that goes on until it notices holds nobody up."""
         self.drop()
-        if self._task is not None:
-            self._task.join(5)
         self._task = None
         self._timer.stop()
 

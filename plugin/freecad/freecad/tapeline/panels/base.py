@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What all panels have in common: a form, a line for sentences, a background computation and 3D decorations."""
+import contextlib
+
 import FreeCADGui as Gui
 from PySide import QtGui
 
@@ -72,7 +74,8 @@ class Panel:
         """Removes everything that was drawn, stops computing and closes the panel."""
         self.background.close()
         for decoration in self._decorations:
-            decoration.remove()
+            with contextlib.suppress(ReferenceError, RuntimeError):  # the document was closed under the panel
+                decoration.remove()
         self._decorations.clear()
         Panel.open_panel = None
         Gui.Control.closeDialog()
