@@ -64,28 +64,44 @@ void save_job(const EditorObject& self, const py::object& path, const TargetObje
 
 void add_preview(py::module_& module)
 {
-    py::class_<PreviewObject>(module, "Preview")
-        .def_property_readonly("vertices",
-                               [](const PreviewObject& self) { return shown(self.preview->V, self.owner()); })
-        .def_property_readonly("rest_vertices",
-                               [](const PreviewObject& self) { return shown(self.preview->rest->V, self.owner()); })
-        .def_property_readonly("faces",
-                               [](const PreviewObject& self) { return shown(self.preview->rest->F, self.owner()); })
-        .def_property_readonly("mesh_number", [](const PreviewObject& self) { return self.preview->mesh_number; })
-        .def_property_readonly("line_vertices",
-                               [](const PreviewObject& self) { return shown(self.preview->line, self.owner()); })
+    py::class_<PreviewObject>(module, "Preview", "An approximate result, quick to have.")
         .def_property_readonly(
-            "tension_faces", [](const PreviewObject& self) { return shown(self.preview->parts.tension, self.owner()); })
+            "vertices", [](const PreviewObject& self) { return shown(self.preview->V, self.owner()); },
+            "(n, 3) float64 [mm], moved positions of the shown mesh.")
+        .def_property_readonly(
+            "rest_vertices", [](const PreviewObject& self) { return shown(self.preview->rest->V, self.owner()); },
+            "(n, 3) float64 [mm], the shown mesh before the move.")
+        .def_property_readonly(
+            "faces", [](const PreviewObject& self) { return shown(self.preview->rest->F, self.owner()); },
+            "(m, 3) int32, its triangles.")
+        .def_property_readonly(
+            "mesh_number", [](const PreviewObject& self) { return self.preview->mesh_number; },
+            "int that changes when previews show another mesh.")
+        .def_property_readonly(
+            "line_vertices", [](const PreviewObject& self) { return shown(self.preview->line, self.owner()); },
+            "(k,) int32, vertices of the moved line; they lie on the target exactly.")
+        .def_property_readonly(
+            "tension_faces", [](const PreviewObject& self) { return shown(self.preview->parts.tension, self.owner()); },
+            "Region triangles that are stretched.")
         .def_property_readonly(
             "compression_faces",
-            [](const PreviewObject& self) { return shown(self.preview->parts.compressed, self.owner()); })
+            [](const PreviewObject& self) { return shown(self.preview->parts.compressed, self.owner()); },
+            "Region triangles that make room.")
         .def_property_readonly(
-            "placement", [](const PreviewObject& self) { return object_of(placement_json(self.preview->placement)); })
-        .def_property_readonly("measures",
-                               [](const PreviewObject& self) { return object_of(strip_json(*self.preview)); })
-        .def_property_readonly("exact", [](const PreviewObject& self) { return self.preview->exact; })
-        .def_property_readonly("leaves_region", [](const PreviewObject& self) { return self.preview->leaves_region; })
-        .def_property_readonly("seconds", [](const PreviewObject& self) { return self.preview->seconds; });
+            "placement", [](const PreviewObject& self) { return object_of(placement_json(self.preview->placement)); },
+            "dict, as Region.placement, without the triangles.")
+        .def_property_readonly(
+            "measures", [](const PreviewObject& self) { return object_of(strip_json(*self.preview)); },
+            "dict under the keys of MoveResult.measures: line error, bulge, sections, crease, flipped; None "
+            "where time was short.")
+        .def_property_readonly(
+            "exact", [](const PreviewObject& self) { return self.preview->exact; },
+            "True when this is the answer of solve() itself.")
+        .def_property_readonly(
+            "leaves_region", [](const PreviewObject& self) { return self.preview->leaves_region; },
+            "True when the target ends on or beyond the rim, so that only solve() shows it rightly.")
+        .def_property_readonly(
+            "seconds", [](const PreviewObject& self) { return self.preview->seconds; }, "float, how long it took.");
 }
 
 } // namespace
@@ -93,15 +109,21 @@ void add_preview(py::module_& module)
 void add_edits(py::module_& module)
 {
     add_preview(module);
-    py::class_<EditorObject>(module, "Editor")
+    py::class_<EditorObject>(
+        module, "Editor",
+        "Follows a target while it is dragged about: quick previews, exact results. Keywords as those of "
+        "move(). May be used from several threads at once.")
         .def(py::init(&make_editor), py::arg("model"), py::arg("line"))
         .def("start", &start, py::arg("target"), py::kw_only(), py::arg("progress") = py::none(),
-             py::arg("cancel") = py::none())
+             py::arg("cancel") = py::none(),
+             "Prepares previews with the region for this target; otherwise the first preview does.")
         .def("preview", &preview, py::arg("target"), py::arg("budget_ms") = 100.0, py::kw_only(),
-             py::arg("progress") = py::none(), py::arg("cancel") = py::none())
+             py::arg("progress") = py::none(), py::arg("cancel") = py::none(),
+             "Preview within about `budget_ms`: positions always, measures as far as time allows.")
         .def("solve", &solve, py::arg("target"), py::kw_only(), py::arg("progress") = py::none(),
-             py::arg("cancel") = py::none())
-        .def("save_job", &save_job, py::arg("path"), py::arg("target"), py::arg("target_path") = py::none());
+             py::arg("cancel") = py::none(), "MoveResult, the same bytes as move(); later previews start at it.")
+        .def("save_job", &save_job, py::arg("path"), py::arg("target"), py::arg("target_path") = py::none(),
+             "Writes the job file that `tapeline run` repeats to the same bytes; see MoveResult.save_job.");
 }
 
 } // namespace tapeline::python

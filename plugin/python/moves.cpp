@@ -106,36 +106,69 @@ py::array side_faces(const ResultObject& self, bool compressed)
 
 void add_result(py::module_& module)
 {
-    py::class_<ResultObject>(module, "MoveResult")
-        .def_property_readonly("vertices", [](const ResultObject& self) { return shown(of(self).V, owner(self)); })
-        .def_property_readonly("rest_vertices",
-                               [](const ResultObject& self) { return shown(of(self).rest.mesh.V, owner(self)); })
-        .def_property_readonly("faces",
-                               [](const ResultObject& self) { return shown(of(self).rest.mesh.F, owner(self)); })
+    py::class_<ResultObject>(
+        module, "MoveResult",
+        "A moved model. Vertex i is vertex i of the model as it was prepared; appended ones come last.")
+        .def_property_readonly(
+            "vertices", [](const ResultObject& self) { return shown(of(self).V, owner(self)); },
+            "(n, 3) float64 [mm], moved positions; outside the region equal to rest_vertices to the bit.")
+        .def_property_readonly(
+            "rest_vertices", [](const ResultObject& self) { return shown(of(self).rest.mesh.V, owner(self)); },
+            "(n, 3) float64 [mm], the same vertices before the move.")
+        .def_property_readonly(
+            "faces", [](const ResultObject& self) { return shown(of(self).rest.mesh.F, owner(self)); },
+            "(m, 3) int32, triangles of both.")
         .def_property_readonly(
             "line_vertices",
-            [](const ResultObject& self) { return shown(of(self).correspondence.line.vertices, owner(self)); })
-        .def_property_readonly("region_faces",
-                               [](const ResultObject& self) { return shown(of(self).region.faces, owner(self)); })
-        .def_property_readonly("tension_faces", [](const ResultObject& self) { return side_faces(self, false); })
-        .def_property_readonly("compression_faces", [](const ResultObject& self) { return side_faces(self, true); })
+            [](const ResultObject& self) { return shown(of(self).correspondence.line.vertices, owner(self)); },
+            "(k,) int32, vertices of the moved line, in order.")
         .def_property_readonly(
-            "target", [](const ResultObject& self) { return TargetObject{self.outcome->preparation.target->line}; })
-        .def_property_readonly("rest", &rest_model)
-        .def_property_readonly("moved", &moved_model)
-        .def_property_readonly("stats",
-                               [](const ResultObject& self) { return object_of(stats_json(self.job, *self.outcome)); })
+            "region_faces", [](const ResultObject& self) { return shown(of(self).region.faces, owner(self)); },
+            "(f,) int32, triangles that could move.")
         .def_property_readonly(
-            "measures", [](const ResultObject& self) { return object_of(measures_json(self.outcome->measures)); })
-        .def_property_readonly("gates",
-                               [](const ResultObject& self) { return object_of(gates_json(self.outcome->gates)); })
-        .def_property_readonly("table", [](const ResultObject& self) { return outcome_table(*self.outcome); })
-        .def_property_readonly("warnings", [](const ResultObject& self) { return self.outcome->warnings; })
-        .def_property_readonly("maps", &maps)
-        .def("sections", &sections_of, py::arg("stations") = 9)
-        .def("save_job", &save_result_job, py::arg("path"), py::arg("target_path") = py::none())
+            "tension_faces", [](const ResultObject& self) { return side_faces(self, false); },
+            "Region triangles that were stretched.")
+        .def_property_readonly(
+            "compression_faces", [](const ResultObject& self) { return side_faces(self, true); },
+            "Region triangles that made room; none off the surface.")
+        .def_property_readonly(
+            "target", [](const ResultObject& self) { return TargetObject{self.outcome->preparation.target->line}; },
+            "TargetLine, the goal that was used.")
+        .def_property_readonly("rest", &rest_model,
+                               "Model before the move, with the same vertices and triangles as the result.")
+        .def_property_readonly(
+            "moved", &moved_model,
+            "Model of the result, for the next move of a chain: what reading the written mesh would give.")
+        .def_property_readonly(
+            "stats", [](const ResultObject& self) { return object_of(stats_json(self.job, *self.outcome)); },
+            "dict, what `tapeline move --stats` writes. Lengths mm, angles deg, times s.")
+        .def_property_readonly(
+            "measures", [](const ResultObject& self) { return object_of(measures_json(self.outcome->measures)); },
+            "dict of the measures before and after; None where a measure does not apply.")
+        .def_property_readonly(
+            "gates", [](const ResultObject& self) { return object_of(gates_json(self.outcome->gates)); },
+            "list of dict: name, limit, value and passed, of the limits given as keywords of section gate.")
+        .def_property_readonly(
+            "table", [](const ResultObject& self) { return outcome_table(*self.outcome); },
+            "str, the table that `tapeline move` prints.")
+        .def_property_readonly(
+            "warnings", [](const ResultObject& self) { return self.outcome->warnings; }, "list of sentences.")
+        .def_property_readonly(
+            "maps", &maps,
+            "dict of (n,) float64, NaN outside the region: displacement [mm], distance_to_original [mm], "
+            "gaussian_before and gaussian_after [1/mm2], mean_before and mean_after [1/mm].")
+        .def("sections", &sections_of, py::arg("stations") = 9,
+             "list of dict, sections normal to the moved line at equal steps: compressed_before, compressed_after, "
+             "tension_before and tension_after, each a dict of points (n, 3) [mm], curvature (n, 3), the comb's teeth "
+             "[1/mm], and inflections (k, 3) [mm].")
+        .def("save_job", &save_result_job, py::arg("path"), py::arg("target_path") = py::none(),
+             "Writes the job file that `tapeline run` repeats to the same bytes, and beside it what it needs: "
+             "NAME.target.json (or `target_path`), for a line given by vertices NAME.line.txt, for a model "
+             "from arrays NAME.model.obj in mm.")
         .def("write", &write, py::arg("path") = py::none(), py::kw_only(), py::arg("progress") = py::none(),
-             py::arg("cancel") = py::none());
+             py::arg("cancel") = py::none(),
+             "Writes the result to `path` and to the keywords of section outputs (rest, stats, report, "
+             "pictures, line_vertices, save_target, ascii), all or none.");
 }
 
 py::object run_file(const py::object& job, py::object progress, py::object cancel)
@@ -161,9 +194,14 @@ void add_moves(py::module_& module)
 {
     add_result(module);
     module.def("move", &move, py::arg("model"), py::arg("line"), py::arg("target") = py::none(), py::kw_only(),
-               py::arg("progress") = py::none(), py::arg("cancel") = py::none());
+               py::arg("progress") = py::none(), py::arg("cancel") = py::none(),
+               "Moves the line to the target (None: keywords such as slide say it), as `tapeline move`: the "
+               "same input gives the same bytes. Keywords: sections target, remesh, region, move and gate. A "
+               "missed gate is no error; see MoveResult.gates.");
     module.def("run_job", &run_file, py::arg("job"), py::kw_only(), py::arg("progress") = py::none(),
-               py::arg("cancel") = py::none());
+               py::arg("cancel") = py::none(),
+               "Runs a job file, or the same as a dict (names count from the current folder), with all its "
+               "outputs, as `tapeline run`; returns its statistics.");
 }
 
 } // namespace tapeline::python

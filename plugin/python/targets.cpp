@@ -13,7 +13,7 @@ namespace tapeline::python {
 
 namespace {
 
-TargetObject from_data(const py::array& control_points, const std::vector<double>& knots, int degree,
+TargetObject from_data(const py::object& control_points, const std::vector<double>& knots, int degree,
                        const std::optional<std::vector<double>>& weights, bool closed)
 {
     BSplineData data;
@@ -25,7 +25,7 @@ TargetObject from_data(const py::array& control_points, const std::vector<double
     return {value(TargetLine::from_data(data))};
 }
 
-TargetObject with_control_points(const TargetObject& self, const py::array& points)
+TargetObject with_control_points(const TargetObject& self, const py::object& points)
 {
     BSplineData data = self.line.data();
     auto moved = points_of(points, "the control points");
@@ -37,13 +37,10 @@ TargetObject with_control_points(const TargetObject& self, const py::array& poin
     return {value(TargetLine::from_data(data))};
 }
 
-TargetObject move_control_point(const TargetObject& self, int index, const py::array& point, bool relative)
+TargetObject move_control_point(const TargetObject& self, int index, const py::object& point, bool relative)
 {
-    if (point.ndim() != 1 || point.size() != 3) {
-        raise({ErrorKind::usage, "the point must be three numbers"});
-    }
-    const Vec3 p = points_of(point.attr("reshape")(1, 3), "the point").front();
-    return {value(move_control_points(self.line, {{index, p, relative}}))};
+    const std::vector<Vec3> points = points_of(py::make_tuple(point), "the point in a list");
+    return {value(move_control_points(self.line, {{index, points.front(), relative}}))};
 }
 
 /// The steps that a job makes of a target it was given, on the model's surface around the line.
@@ -82,7 +79,7 @@ py::array sample(const TargetObject& self, int count)
     return copied(points);
 }
 
-py::tuple foot(const TargetObject& self, const py::array& points)
+py::tuple foot(const TargetObject& self, const py::object& points)
 {
     std::vector<Vec3> feet;
     std::vector<double> fractions;
@@ -97,9 +94,13 @@ py::tuple foot(const TargetObject& self, const py::array& points)
 
 void add_edits(py::class_<TargetObject>& target)
 {
-    target.def("with_control_points", &with_control_points, py::arg("points"))
+    target
+        .def("with_control_points", &with_control_points, py::arg("points"),
+             "The same knots and weights with control points (k, 3) [mm].")
         .def("move_control_point", &move_control_point, py::arg("index"), py::arg("point"), py::kw_only(),
-             py::arg("relative") = false)
+             py::arg("relative") = false,
+             "Control point `index` at `point` (3,) [mm], or moved by it when `relative`; a closed line stays "
+             "closed and smooth.")
         .def(
             "slide",
             [](const TargetObject& self, const ModelObject& model, const LineObject& line, const py::object& law,
@@ -107,7 +108,9 @@ void add_edits(py::class_<TargetObject>& target)
                 return edit(self, model, line, "slide", law, std::move(progress), std::move(cancel), keywords);
             },
             py::arg("model"), py::arg("line"), py::arg("law"), py::kw_only(), py::arg("progress") = py::none(),
-            py::arg("cancel") = py::none())
+            py::arg("cancel") = py::none(),
+            "Slides the curve along the model's surface, to the left of the line if positive, by `law` [mm]: "
+            "one distance, or several spread evenly over its length. Keywords: sections target and remesh.")
         .def(
             "on_surface",
             [](const TargetObject& self, const ModelObject& model, const LineObject& line, py::object progress,
@@ -116,8 +119,11 @@ void add_edits(py::class_<TargetObject>& target)
                             keywords);
             },
             py::arg("model"), py::arg("line"), py::kw_only(), py::arg("progress") = py::none(),
-            py::arg("cancel") = py::none())
-        .def("fair", &faired, py::arg("limit") = 0.0);
+            py::arg("cancel") = py::none(),
+            "Drops the curve onto the model's surface around the line. Keywords: sections target and remesh.")
+        .def("fair", &faired, py::arg("limit") = 0.0,
+             "Evens out the curvature, moving no control point by more than `limit` [mm]; 0 = a thousandth of "
+             "the length.");
 }
 
 void add_files(py::class_<TargetObject>& target)
@@ -129,19 +135,21 @@ void add_files(py::class_<TargetObject>& target)
                 const std::string name = path_text(path);
                 return TargetObject{without_gil([&] { return read_target(name); })};
             },
-            py::arg("path"))
+            py::arg("path"), "Reads JSON, STEP, IGES or BREP curves or a CSV polyline, told apart by content.")
         .def(
             "write",
             [](const TargetObject& self, const py::object& path) {
                 const std::string name = path_text(path);
                 without_gil([&] { return write_target(name, self.line); });
             },
-            py::arg("path"))
-        .def("to_json", [](const TargetObject& self) { return target_to_json(self.line); })
+            py::arg("path"), "Writes .json, .step, .iges, .brep or .csv by the ending.")
+        .def(
+            "to_json", [](const TargetObject& self) { return target_to_json(self.line); },
+            "The curve as the text of a JSON target file; every number survives.")
         .def_static(
             "from_json",
             [](const std::string& text) { return TargetObject{value(target_from_json("the text", text))}; },
-            py::arg("text"))
+            py::arg("text"), "The curve from such a text.")
         .def(py::pickle(
             [](const TargetObject& self) { return target_to_json(self.line); },
             [](const std::string& text) { return TargetObject{value(target_from_json("the text", text))}; }));
@@ -151,35 +159,53 @@ void add_files(py::class_<TargetObject>& target)
 
 void add_targets(py::module_& module)
 {
-    py::class_<TargetObject> target(module, "TargetLine");
+    py::class_<TargetObject> target(
+        module, "TargetLine",
+        "The line to reach: an exact B-spline curve in mm. Immutable; every change gives a new one.");
     target
         .def(py::init(&from_data), py::arg("control_points"), py::arg("knots"), py::kw_only(), py::arg("degree") = 3,
-             py::arg("weights") = py::none(), py::arg("closed") = false)
-        .def_property_readonly("control_points",
-                               [](const TargetObject& self) { return copied(self.line.data().control_points); })
-        .def_property_readonly("knots", [](const TargetObject& self) { return copied(self.line.data().knots); })
-        .def_property_readonly("weights",
-                               [](const TargetObject& self) {
-                                   BSplineData data = self.line.data();
-                                   data.weights.resize(data.control_points.size(),
-                                                       data.weights.empty() ? 1.0 : data.weights.back());
-                                   return copied(data.weights);
-                               })
-        .def_property_readonly("degree", [](const TargetObject& self) { return self.line.data().degree; })
-        .def_property_readonly("closed", [](const TargetObject& self) { return self.line.closed(); })
-        .def_property_readonly("length_mm", [](const TargetObject& self) { return self.line.length(); })
-        .def_property_readonly("fit_error_mm", [](const TargetObject& self) { return self.fit_error_mm; })
-        .def("sample", &sample, py::arg("count"))
-        .def("foot", &foot, py::arg("points"));
+             py::arg("weights") = py::none(), py::arg("closed") = false,
+             "A curve from control points (k, 3) [mm], knots (k + degree + 1, with repetition), degree and "
+             "weights (k,), None = all 1.")
+        .def_property_readonly(
+            "control_points", [](const TargetObject& self) { return copied(self.line.data().control_points); },
+            "(k, 3) float64 [mm]; of a closed line the last is the first.")
+        .def_property_readonly(
+            "knots", [](const TargetObject& self) { return copied(self.line.data().knots); },
+            "(k + degree + 1,) float64, with repetition.")
+        .def_property_readonly(
+            "weights",
+            [](const TargetObject& self) {
+                BSplineData data = self.line.data();
+                data.weights.resize(data.control_points.size(), data.weights.empty() ? 1.0 : data.weights.back());
+                return copied(data.weights);
+            },
+            "(k,) float64, all 1 for a polynomial curve.")
+        .def_property_readonly(
+            "degree", [](const TargetObject& self) { return self.line.data().degree; }, "int.")
+        .def_property_readonly(
+            "closed", [](const TargetObject& self) { return self.line.closed(); }, "True for a loop.")
+        .def_property_readonly(
+            "length_mm", [](const TargetObject& self) { return self.line.length(); }, "float [mm].")
+        .def_property_readonly(
+            "fit_error_mm", [](const TargetObject& self) { return self.fit_error_mm; },
+            "float [mm], largest distance of the feature line to the curve fitted to it; None when it was "
+            "not fitted.")
+        .def("sample", &sample, py::arg("count"),
+             "(count, 3) float64 [mm], points at equal steps of arc length from end to end; of a closed line "
+             "the last is the first.")
+        .def("foot", &foot, py::arg("points"),
+             "Nearest points (n, 3) [mm] of the curve to `points` (n, 3), and their fractions (n,) of its "
+             "length.");
     add_edits(target);
     add_files(target);
     target.def_static(
         "through",
-        [](const py::array& points, bool closed) {
+        [](const py::object& points, bool closed) {
             const auto list = points_of(points, "the points");
             return TargetObject{without_gil([&] { return interpolate_points(list, closed); })};
         },
-        py::arg("points"), py::kw_only(), py::arg("closed") = false);
+        py::arg("points"), py::kw_only(), py::arg("closed") = false, "A cubic curve through points (n, 3) [mm].");
 }
 
 } // namespace tapeline::python

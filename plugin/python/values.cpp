@@ -54,14 +54,21 @@ py::array list_of(const std::vector<T>& list, const py::capsule& owner)
 
 [[noreturn]] void refuse(const std::string& sentence) { raise({ErrorKind::usage, sentence}); }
 
-void check_table(const py::array& array, const char* what, const char* kinds)
+/// The object as an n×3 array of one of these kinds of numbers.
+py::array table_of(const py::object& object, const char* what, const char* kinds)
 {
+    const py::array array = py::array::ensure(object);
+    if (!array) {
+        PyErr_Clear();
+        refuse(fmt::format("{} must be an array of shape (n, 3)", what));
+    }
     if (array.ndim() != 2 || array.shape(1) != 3) {
         refuse(fmt::format("{} must be an array of shape (n, 3)", what));
     }
     if (std::string_view(kinds).find(array.dtype().kind()) == std::string_view::npos) {
         refuse(fmt::format("{} must be an array of {}", what, kinds[0] == 'f' ? "numbers" : "whole numbers"));
     }
+    return array;
 }
 
 } // namespace
@@ -114,17 +121,17 @@ py::array copied(std::span<const Vec3> points)
     return array;
 }
 
-Positions positions_of(const py::array& array, const char* what)
+Positions positions_of(const py::object& object, const char* what)
 {
-    check_table(array, what, "fiu");
-    const auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+    const auto doubles =
+        py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(table_of(object, what, "fiu"));
     return Eigen::Map<const Positions>(doubles.data(), doubles.shape(0), 3);
 }
 
-Triangles triangles_of(const py::array& array)
+Triangles triangles_of(const py::object& object)
 {
-    check_table(array, "the triangles", "iu");
-    const auto wide = py::array_t<long long, py::array::c_style | py::array::forcecast>::ensure(array);
+    const auto wide = py::array_t<long long, py::array::c_style | py::array::forcecast>::ensure(
+        table_of(object, "the triangles", "iu"));
     Triangles F(wide.shape(0), 3);
     for (py::ssize_t k = 0; k < wide.size(); ++k) {
         const long long v = wide.data()[k];
@@ -134,9 +141,9 @@ Triangles triangles_of(const py::array& array)
     return F;
 }
 
-std::vector<Vec3> points_of(const py::array& array, const char* what)
+std::vector<Vec3> points_of(const py::object& object, const char* what)
 {
-    const Positions V = positions_of(array, what);
+    const Positions V = positions_of(object, what);
     std::vector<Vec3> points(static_cast<std::size_t>(V.rows()));
     for (std::size_t i = 0; i < points.size(); ++i) {
         points[i] = V.row(static_cast<Eigen::Index>(i));

@@ -52,10 +52,10 @@ py::array copied(std::span<const double> list);
 py::array copied(std::span<const Vec3> points);
 
 /// n×3 numbers of any kind as positions; `what` is what messages call them.
-Positions positions_of(const py::array& array, const char* what);
+Positions positions_of(const py::object& object, const char* what);
 /// m×3 whole numbers of any kind as triangles.
-Triangles triangles_of(const py::array& array);
-std::vector<Vec3> points_of(const py::array& array, const char* what);
+Triangles triangles_of(const py::object& object);
+std::vector<Vec3> points_of(const py::object& object, const char* what);
 
 /// The name of a file given as text or path object.
 std::string path_text(const py::object& path);

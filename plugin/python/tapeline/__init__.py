@@ -20,6 +20,6 @@ from ._tapeline import (
 __version__ = version()
 
 
-def placement(model, line, target=None, **keywords):
+def placement(model, line, target=None, **keys):
     """What a move would do before anything is solved: `Model.region(...).placement`."""
-    return model.region(line, target, **keywords).placement
+    return model.region(line, target, **keys).placement

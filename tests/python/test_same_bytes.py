@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Python, command and job files are three doors of one house."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+import shapes
+
+import tapeline
+
+
+class SameBytes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def bytes_of(self, name):
+        return (self.folder / name).read_bytes()
+
+    def test_a_cad_model_moved_by_python_and_by_the_command_gives_the_same_bytes(self):
+        step = shapes.SOURCE / "resources/models/panel.step"
+        model = tapeline.Model.read(step)
+        line = model.feature_lines()[0].part("20%", "80%")
+        keys = dict(slide=shapes.LAW, max_edge=25, roi_distance=220)
+        tapeline.move(model, line, **keys).write(
+            self.folder / "python.obj", rest=self.folder / "python_rest.obj", save_target=self.folder / "python.json"
+        )
+        shapes.run_command(
+            "move", step, "--line", "0@20%..80%", "--slide", ",".join(map(str, shapes.LAW)), "--max-edge", 25,
+            "--roi-distance", 220, "-o", self.folder / "command.obj", "--rest", self.folder / "command_rest.obj",
+            "--save-target", self.folder / "command.json",
+        )
+        for ending in (".obj", "_rest.obj", ".json"):
+            self.assertEqual(self.bytes_of("python" + ending), self.bytes_of("command" + ending), ending)
+
+    def test_a_mesh_and_a_target_in_memory_give_the_bytes_of_the_files_they_were_written_to(self):
+        model, line = shapes.panel()
+        target = model.fit_target(line, slide=shapes.LAW)
+        model.write(self.folder / "model.obj")
+        target.write(self.folder / "target.json")
+        tapeline.move(model, line, target).write(self.folder / "python.obj")
+        shapes.run_command(
+            "move", self.folder / "model.obj", "--line", line.selector, "--target", self.folder / "target.json", "-o",
+            self.folder / "command.obj",
+        )
+        self.assertEqual(self.bytes_of("python.obj"), self.bytes_of("command.obj"))
+
+    def test_a_fitted_and_slid_target_is_the_one_that_the_command_writes(self):
+        step = shapes.SOURCE / "resources/models/panel.step"
+        model = tapeline.Model.read(step)
+        line = model.feature_lines()[0].part("20%", "80%")
+        model.fit_target(line, slide=shapes.LAW).write(self.folder / "python.json")
+        shapes.run_command(
+            "target", step, "--line", line.selector, "--slide", ",".join(map(str, shapes.LAW)), "-o",
+            self.folder / "command.json",
+        )
+        self.assertEqual(self.bytes_of("python.json"), self.bytes_of("command.json"))
+
+    def test_a_saved_job_runs_to_the_same_bytes(self):
+        model, line = shapes.panel()
+        target = model.fit_target(line, slide=shapes.LAW)
+        keys = dict(method="asan-fl", roi_distance=240, clamp_rings=2)
+        editor = tapeline.Editor(model, line, **keys)
+        editor.solve(target).write(self.folder / "python.obj")
+        editor.save_job(self.folder / "job.json", target)
+        shapes.run_command("run", self.folder / "job.json")
+        self.assertEqual(self.bytes_of("python.obj"), self.bytes_of("job.obj"))
+        job = json.loads(self.bytes_of("job.json"))
+        self.assertEqual(job["move"], {"method": "asan-fl", "clamp_rings": 2})
+        self.assertEqual(job["target"], {"target": "job.target.json"})
+
+    def test_a_saved_job_of_a_chain_of_vertices_runs_to_the_same_bytes(self):
+        model, line = shapes.panel()
+        chain = model.line_through(line.vertices)
+        result = tapeline.move(model, chain, model.fit_target(chain, slide=15))
+        result.write(self.folder / "python.obj")
+        result.save_job(self.folder / "job.json", target_path=self.folder / "goal.step")
+        self.assertTrue((self.folder / "goal.step").exists())
+        statistics = tapeline.run_job(self.folder / "job.json")
+        self.assertEqual(statistics["line"]["vertices"], result.line_vertices.tolist())
+        # The target went through STEP, which writes 17 digits.
+        self.assertEqual(self.bytes_of("python.obj"), self.bytes_of("job.obj"))
+
+    def test_an_editor_solves_to_the_bytes_of_a_move_after_any_drag(self):
+        model = tapeline.Model.read(shapes.SOURCE / "resources/models/panel.step")
+        line = model.feature_lines()[0].part("20%", "80%")
+        keys = dict(roi_distance=220, max_edge=25)
+        editor = tapeline.Editor(model, line, **keys)
+        fitted = model.fit_target(line)
+        for shift in (10, -20, 10):
+            target = fitted.slide(model, line, [0, shift, 0], max_edge=25)
+            editor.preview(target)
+            solved = editor.solve(target)
+            moved = tapeline.move(model, line, target, **keys)
+            self.assertEqual(solved.vertices.tobytes(), moved.vertices.tobytes())
+            self.assertEqual(solved.faces.tobytes(), moved.faces.tobytes())
+
+    def test_a_result_moves_on_as_the_mesh_written_from_it_does(self):
+        model, line = shapes.panel()
+        first = tapeline.move(model, line, slide=[0, 15, 0])
+        first.write(self.folder / "first.obj")
+        again = tapeline.Model.read(self.folder / "first.obj")
+        self.assertEqual(again.vertices.tobytes(), first.moved.vertices.tobytes())
+        lines = [m.feature_lines() for m in (first.moved, again)]
+        self.assertEqual([x.vertices.tolist() for x in lines[0]], [x.vertices.tolist() for x in lines[1]])
+
+    def test_a_job_as_a_dict_is_the_job_as_a_file(self):
+        model, line = shapes.panel()
+        model.write(self.folder / "model.obj")
+        out = self.folder / "moved.obj"
+        tapeline.run_job(
+            {
+                "input": self.folder / "model.obj",
+                "lines": {"line": line.selector},
+                "target": {"slide": shapes.LAW},
+                "outputs": {"out": [out]},
+            }
+        )
+        tapeline.move(model, line, slide=shapes.LAW).write(self.folder / "python.obj")
+        self.assertEqual(out.read_bytes(), self.bytes_of("python.obj"))
+
+
+if __name__ == "__main__":
+    unittest.main()
