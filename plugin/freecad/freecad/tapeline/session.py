@@ -7,13 +7,12 @@ from .memory import Memory
 
 
 class MoveSession:
-    """Answers orders from several threads. The engine's Editors keep what a drag can use again; one is made only where
-    something else than the target changed. Two are kept: the preview's lays the target on the surface by itself, the
-    exact one gets the finished curve."""
+    """Answers orders from several threads. The engine's Editor keeps what a drag can use again, and its previews start
+    at what it solved last; it is made anew only where something else than the target changed."""
 
     def __init__(self):
         self._making = threading.Lock()
-        self._editors = Memory(2)
+        self._editors = Memory(1)
 
     def _editor_for(self, order):
         base = order.with_curve("").digest

@@ -123,7 +123,7 @@ def finished(source, recipe, target):
 
 
 def finish_keys(recipe):
-    """The same steps as options of a move to the unfinished curve, for previews."""
+    """The finishing steps that are asked for, as options of the command."""
     keys = {"fair": recipe.fair, "fair_limit": recipe.fair_limit if recipe.fair else 0, "on_surface": recipe.on_surface}
     return {key: value for key, value in keys.items() if value}
 

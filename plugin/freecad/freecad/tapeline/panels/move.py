@@ -109,11 +109,9 @@ class MovePanel(Panel):
         return keys
 
     def preview_order(self):
-        """What a preview answers: the curve as it is dragged; the engine lays it on the surface."""
-        if not self.ours:
-            return self.order.with_curve(self.order.curve, **self._options())
-        return self.order.with_curve(self.editing.curve.to_json(), **self._options(),
-                                     **targets.finish_keys(self.recipe))
+        """What a preview answers: the curve as it is dragged, which laying it on the surface changes but little."""
+        curve = self.editing.curve.to_json() if self.dragged else self.order.curve
+        return self.order.with_curve(curve, **self._options())
 
     def exact_order(self):
         """A function that makes the order of the exact result, in any thread: the curve is finished first, just as the
