@@ -136,7 +136,7 @@ Vec3 RetractionTask::on_surface(size_t entry)
         }
     }
     if (!on_rail) {
-        const Vec3 place = ground_.closest(wanted);
+        Vec3 place = ground_.closest(wanted);
         const double over =
             rails_.pieces(v).empty() ? ground_.distance_in_part(v, wanted) - (place - wanted).norm() : 0;
         if (over > std::max(crossed_by_, crossing_share * size)) {

@@ -230,7 +230,7 @@ Result<void> Editor::start(const TargetLine& target, const Progress& progress)
 Result<std::shared_ptr<const Editor::Base>> Editor::started(const TargetLine& target, const Progress& progress)
 {
     return place_job(job_, inputs_with(target), progress)
-        .and_then([&](Placing placing) {
+        .and_then([&](const Placing& placing) {
             FeatureLine line = placing.preparation.line;
             return Drag::create(start_at_rest(placing, move_options(job_))).map([&](Drag drag) {
                 return std::make_shared<Base>(std::move(drag), std::move(line));
