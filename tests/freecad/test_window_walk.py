@@ -27,6 +27,7 @@ def panel_widget(kind, name):
 def run(command):
     """Runs a command, as its button does, and waits for its panel."""
     Gui.runCommand(command)
+    window.wait_until(Gui.Control.activeDialog, 20, "the panel of " + command)
     window.settle(0.3)
 
 

@@ -59,15 +59,15 @@ def module():
     """The compiled module; raises EngineMissing with a sentence."""
     global _module
     if _module is None:
-        reason = ""
         try:
             _module = _load()
         except ImportError as error:
-            reason = " " + str(error)
+            raise EngineMissing(translate("Tapeline", "The compiled Python module 'tapeline' cannot be loaded: {}. "
+                                          "Build or install it anew.").format(error)) from None
         if _module is None:
             raise EngineMissing(translate("Tapeline", "The compiled Python module 'tapeline' was not found, so nothing "
                                           "can be computed. Build it (scripts/demo) or install it (cmake --install), "
-                                          "or name its folder in Edit > Preferences > Tapeline.") + reason)
+                                          "or name its folder in Edit > Preferences > Tapeline."))
     return _module
 
 

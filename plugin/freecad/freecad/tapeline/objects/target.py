@@ -122,6 +122,13 @@ def finished(source, recipe, target):
     return _finished.keep(key, target)
 
 
+def laid_quickly(order):
+    """An order whose curve is laid on the surface without even triangles first: a fraction of a second, near enough for
+    a preview."""
+    curve = order.target().on_surface(order.model(), order.feature_line(), remesh="off")
+    return order.with_curve(curve.to_json())
+
+
 def finish_keys(recipe):
     """The finishing steps that are asked for, as options of the command."""
     keys = {"fair": recipe.fair, "fair_limit": recipe.fair_limit if recipe.fair else 0, "on_surface": recipe.on_surface}

@@ -181,12 +181,21 @@ class MovePanel(Panel):
         self._preview()
 
     def _preview(self, patience=1):
-        """Asks for a preview; with patience it may take longer, to measure too, and gives way to the next drag."""
+        """Asks for a preview; with patience it may take longer, to lay the line on the surface and to measure, and
+        gives way to the next drag."""
         order, session, budget = self.preview_order(), self.session, patience * settings.preview_budget()
+        lay = patience > 1 and self._to_be_laid()
+
+        def work(progress, cancel):
+            return session.preview(targets.laid_quickly(order) if lay else order, budget, progress, cancel)
+
         self._asked = time.monotonic()
-        self.compute(lambda progress, cancel: session.preview(order, budget, progress, cancel), self._previewed,
-                     interrupt=self._patient)
+        self.compute(work, self._previewed, interrupt=self._patient)
         self._patient = patience > 1
+
+    def _to_be_laid(self):
+        """Whether the dragged curve is yet to be laid on the surface, off which its measures would be wrong."""
+        return self.dragged and self.recipe.on_surface
 
     def _previewed(self, preview):
         self.latency = time.monotonic() - self._asked
@@ -197,7 +206,8 @@ class MovePanel(Panel):
         self.say(translate("Tapeline", "Preview; the exact surface comes when the mouse rests."))
         self._rest.start(settings.rest_delay())
         measures = solving.strip_of(preview.measures)
-        if any(value is not None for value in measures.values()):
+        measured = any(value is not None for value in measures.values())
+        if measured and (self._patient or not self._to_be_laid()):
             self.strip.show_measures(measures)
             return
         self.strip.mark_old()

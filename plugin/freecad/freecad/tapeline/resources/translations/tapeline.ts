@@ -502,6 +502,11 @@
     </message>
     <message>
       <location filename="../../engine.py" />
+      <source>The compiled Python module 'tapeline' cannot be loaded: {}. Build or install it anew.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../engine.py" />
       <source>The compiled Python module 'tapeline' was not found, so nothing can be computed. Build it (scripts/demo) or install it (cmake --install), or name its folder in Edit &gt; Preferences &gt; Tapeline.</source>
       <translation type="unfinished" />
     </message>
