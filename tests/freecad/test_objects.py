@@ -142,7 +142,7 @@ class Objects(InADocument):
         target = api.target_line(model, "0@25%..75%", slide=[0, 15, 0])
         shifts = []
         for faces in ([], [0, 3]):
-            move = api.move(target, region=api.region(target, roi_distance=90, fixed_faces=faces))
+            move = api.move(target, roi_distance=90, fixed_faces=faces, max_edge=8)
             result = api.result(move)
             rest = np.asarray(result.rest_vertices)
             outer = np.abs(rest[:, 0]) >= 50
