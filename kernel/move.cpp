@@ -86,7 +86,8 @@ Result<MoveResult> move_feature_line(const Model& model, const FeatureLine& line
     if (!moved) {
         return tl::unexpected(moved.error());
     }
-    return state.finish();
+    state.sew_all();
+    return state.smooth_rim(progress).map([&] { return state.finish(); });
 }
 
 } // namespace tapeline

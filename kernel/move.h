@@ -48,9 +48,12 @@ struct MoveOptions {
     RingWeights ring_weights = RingWeights::even; ///< `arap-n`
     double smoothness = 0.02;                     ///< `sr-arap`: α
     bool check_unique = false; ///< solve from a second start too and report how far apart the answers are
+    /// Other methods than plate-fl bend a band along the rim once more, as a plate, for the tangent plane; `automatic`
+    /// leaves the methods that do not cut the region, and the one as published, as they are.
     RimControl rim = RimControl::automatic;
-    double rim_crease_angle = 5;               ///< a rim edge this sharp is a crease already [deg]
-    double plate_stiffness_ratio = 1.8;        ///< μ of plate-fl's plates; its retraction has stiffness_ratio
+    double rim_width_mm = 0;            ///< of that band; 0 = a third of the way to the line (plate-fl: its whole side)
+    double rim_crease_angle = 5;        ///< a rim edge this sharp is a crease already [deg]
+    double plate_stiffness_ratio = 1.8; ///< μ of plate-fl's plates; its retraction has stiffness_ratio
     LineCrease line_crease = LineCrease::free; ///< plate-fl only
     bool exact_surface = true; ///< CAD input: a retracted side ends on the exact faces, not on their triangles
 };

@@ -27,11 +27,6 @@ double MoveState::plate_share() const
 Result<void> MoveState::check_plate_options() const
 {
     const bool plate = method_.deformer == Deformer::plate;
-    if (!plate && options_.rim == RimControl::tangent) {
-        return fail(ErrorKind::usage, fmt::format("only plate-fl can keep the tangent plane at the rim, not {}: choose "
-                                                  "--method plate-fl or leave --rim",
-                                                  method_.name));
-    }
     if (!plate && options_.line_crease == LineCrease::keep) {
         return fail(ErrorKind::usage,
                     fmt::format("--crease keep belongs to plate-fl; {} has --restore-crease on", method_.name));
@@ -48,7 +43,7 @@ std::vector<int> MoveState::tilting_vertices(const SideMesh& side) const
     // Uncut, a plate that is smooth across the line keeps the crease by itself (method.md A9).
     std::vector<int> tilting = cut_ || !keeps_crease() ? side.line : std::vector<int>{};
     const std::vector<int> rim =
-        tilting_rim(extended_.model, extended_.region, options_.rim, options_.rim_crease_angle);
+        tilting_rim(extended_.model, extended_.region, own_rim_control(), options_.rim_crease_angle);
     for (const std::vector<int>* list : {&side.fixed, &side.guided}) {
         for (const int v : *list) {
             if (std::ranges::binary_search(rim, side.to_global[v])) {
@@ -113,13 +108,18 @@ Result<DeformationResult> MoveState::bend_part(const SideState& side, const Cons
     } else if (&side == &sides_[tension()]) {
         hold_crease(support);
     }
+    return bend_plate(Mesh{side.rest, side.side.mesh.F}, support, plate_options(options), start, progress);
+}
+
+PlateOptions MoveState::plate_options(const DeformationOptions& options) const
+{
     PlateOptions plate;
     plate.material = options.material;
     plate.material.stiff = Stiff::along;
     plate.material.stiffness_ratio = std::min(options.material.stiffness_ratio, options_.plate_stiffness_ratio);
     plate.tolerance_mm = options.tolerance_mm;
     plate.max_passes = options.max_iterations;
-    return bend_plate(Mesh{side.rest, side.side.mesh.F}, support, plate, start, progress);
+    return plate;
 }
 
 } // namespace tapeline

@@ -295,16 +295,21 @@ void MoveState::blend_whole()
     result_.V += share * (whole - result_.V);
 }
 
-MoveResult MoveState::finish()
+void MoveState::sew_all()
 {
     if (!splits()) {
         result_.V = extended_.model.mesh.V;
         sew(whole_.side, whole_.V, result_.V);
+    } else if (deforms_whole()) {
+        blend_whole();
+    }
+}
+
+MoveResult MoveState::finish()
+{
+    if (!splits()) {
         result_.left_faces = extended_.region.faces;
     } else {
-        if (deforms_whole()) {
-            blend_whole();
-        }
         const auto inner = [](const SideMesh& side) {
             return std::vector<int>(side.global_faces.begin(), side.global_faces.begin() + side.inner_faces);
         };

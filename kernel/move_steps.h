@@ -30,7 +30,9 @@ public:
 
     void keep_whole(); ///< in place of extend and split
     Result<void> solve_whole(const Progress& progress);
-    void blend_whole(); ///< brings in the share of the region's deformation in one piece
+    void sew_all();                                    ///< the moved positions of the whole model
+    Result<void> smooth_rim(const Progress& progress); ///< tangent plane at the rim, where asked for and not yet there
+    void blend_whole();                                ///< brings in the share of the region's deformation in one piece
 
     /// Whether the method and the target ask for the cut.
     bool splits() const;
@@ -70,7 +72,14 @@ private:
     Result<DeformationResult> bend_part(const SideState& side, const Constraints& constraints,
                                         const DeformationOptions& options, const std::optional<Positions>& start,
                                         const Progress& progress) const;
+    PlateOptions plate_options(const DeformationOptions& options) const;
     void hold_crease(PlateSupport& support) const;
+    /// What the method's own solve is to do at the rim.
+    RimControl own_rim_control() const;
+    bool makes_transition() const;
+    /// How much of the transition a side takes: none where it lies on the old surface already.
+    double transition_share(int side) const;
+    void take_band(const SideMesh& part, const std::vector<int>& band, const Positions& V);
     Result<void> check_plate_options() const;
     std::vector<int> tilting_vertices(const SideMesh& side) const;
     void take_free_extension(const SideState& side);

@@ -3,7 +3,6 @@
 
 #include "kernel/closest_point.h"
 #include "kernel/feature_rails.h"
-#include "kernel/geodesic_distance.h"
 #include "kernel/parallel.h"
 #include "kernel/region_check.h"
 #include "kernel/region_shape.h"
@@ -43,22 +42,6 @@ struct Request {
     double largest_move = 0;
 };
 
-/// Distance along the surface to the line and to the targets' feet, per vertex.
-std::vector<double> band_distance(const Request& r)
-{
-    std::vector<DistanceSeed> seeds;
-    for (const int v : r.line.vertices) {
-        seeds.push_back({v, 0, r.model.mesh.V.row(v)});
-    }
-    for (const MeshFoot& foot : r.feet) {
-        for (int k = 0; k < 3 && foot.face >= 0; ++k) {
-            const int v = r.model.mesh.F(foot.face, k);
-            seeds.push_back({v, (Vec3(r.model.mesh.V.row(v)) - foot.point).norm(), foot.point});
-        }
-    }
-    return geodesic_distance(r.model.mesh, r.topology, seeds);
-}
-
 /// Edges of other feature lines that leave room enough before them: an automatic region ends there, so that those
 /// lines stay as they are. One flag per edge; empty when there are none.
 std::vector<char> lines_that_bound(const Request& r, const std::vector<double>& distance, double room)
@@ -92,7 +75,7 @@ FaceSet within(const Request& r, const std::vector<double>& distance, double wid
 
 Choice choose_by_distance(const Request& r)
 {
-    const std::vector<double> distance = band_distance(r);
+    const std::vector<double> distance = band_distance(r.model.mesh, r.topology, r.line, r.feet);
     Choice choice;
     const double length = r.line.length_mm / (r.line.closed ? std::numbers::pi : 1);
     const double edges = static_cast<double>(r.line.vertices.size()) - (r.line.closed ? 0 : 1);

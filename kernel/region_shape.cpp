@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/region_shape.h"
 
+#include "kernel/geodesic_distance.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
@@ -136,6 +138,22 @@ int find_root(std::vector<int>& parent, int v)
 }
 
 } // namespace
+
+std::vector<double> band_distance(const Mesh& mesh, const Topology& topology, const FeatureLine& line,
+                                  const std::vector<MeshFoot>& feet)
+{
+    std::vector<DistanceSeed> seeds;
+    for (const int v : line.vertices) {
+        seeds.push_back({v, 0, mesh.V.row(v)});
+    }
+    for (const MeshFoot& foot : feet) {
+        for (int k = 0; k < 3 && foot.face >= 0; ++k) {
+            const int v = mesh.F(foot.face, k);
+            seeds.push_back({v, (Vec3(mesh.V.row(v)) - foot.point).norm(), foot.point});
+        }
+    }
+    return geodesic_distance(mesh, topology, seeds);
+}
 
 std::vector<int> faces_along(const Topology& topology, const FeatureLine& line)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/closest_point.h"
 #include "kernel/feature_lines.h"
 #include "kernel/mesh.h"
 #include "kernel/topology.h"
@@ -11,6 +12,10 @@ namespace tapeline {
 
 /// A set of triangles as one flag per triangle of the mesh.
 using FaceSet = std::vector<char>;
+
+/// Distance along the surface to the line and to the feet of its targets, per vertex [mm].
+std::vector<double> band_distance(const Mesh& mesh, const Topology& topology, const FeatureLine& line,
+                                  const std::vector<MeshFoot>& feet);
 
 /// The triangles on both sides of the line's edges, ascending.
 std::vector<int> faces_along(const Topology& topology, const FeatureLine& line);

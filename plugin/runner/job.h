@@ -80,6 +80,7 @@ struct MoveSettings {
     bool check_unique = false;
     bool allow_ambiguous = false;
     std::string rim = "auto";
+    double rim_width = 0;
     std::string crease = "free";
     double plate_stiffness_ratio = 1.8;
     std::string exact_surface = "auto";

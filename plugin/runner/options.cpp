@@ -191,8 +191,12 @@ void add_move_options(std::vector<Option>& table)
          .help = "Solver iterations after which the move counts as not converged.", .min = 1, .max = 10000000},
         {.section = "move", .name = "rim", .slot = at<m, &M::rim>, .commands = moving,
          .help = "What is kept where the region ends, beside the place: the tangent plane, or only the place; auto: "
-                 "plate-fl the tangent plane but on open borders and creases, other methods what clamp_rings gives.",
+                 "the tangent plane but on open borders and creases, and asan-fl-paper and the methods that do not cut "
+                 "the region as they are.",
          .choices = {"auto", "position", "tangent"}},
+        {.section = "move", .name = "rim_width", .slot = at<m, &M::rim_width>, .commands = moving,
+         .help = "Width of the band inside the region over which the tangent plane at its rim is brought about.",
+         .unit = "mm", .min = 0, .zero = "a third of the way to the line; plate-fl: all of it"},
         {.section = "move", .name = "crease", .slot = at<m, &M::crease>, .commands = moving,
          .help = "plate-fl: what becomes of the crease along the moved line: free for sections with one sign of "
                  "curvature, or keep the angle.",

@@ -3,6 +3,7 @@
 
 #include "kernel/correspondence.h"
 #include "kernel/remesh.h"
+#include "kernel/rim_cut.h"
 #include "plugin/runner/line_refinement.h"
 #include "plugin/runner/preparation_memory.h"
 #include "plugin/runner/region_choice.h"
@@ -178,8 +179,18 @@ private:
 
     Result<Region> region_around_line()
     {
-        return matched().and_then(
-            [&](const Correspondence& map) { return make_region(made.model, map.line, map.targets, region_options_); });
+        return matched().and_then([&](const Correspondence& map) {
+            return make_region(made.model, map.line, map.targets, region_options_).map([&](Region region) {
+                // Where the surface may kink at the rim, the teeth of a band would show.
+                if (job_.move.rim != "position") {
+                    return region;
+                }
+                RimCut cut = cut_rim(made.model, map.line, map.targets, region, region_options_);
+                made.model = std::move(cut.model);
+                made.rim_cut = std::move(cut.appended);
+                return std::move(cut.region);
+            });
+        });
     }
 
     /// A generous part around the line and its target: the region itself is found again on the new triangles.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/model_file.h"
+#include "kernel/extension.h"
 #include "kernel/progress.h"
 #include "kernel/region.h"
 #include "plugin/runner/inputs.h"
@@ -25,10 +26,11 @@ struct RemeshInfo {
 /// Everything that a move needs, from the files that the job names.
 struct Preparation {
     ImportReport import;
-    Model model;                        ///< as imported, or remeshed around the line
-    FeatureLine line;                   ///< on `model`
-    std::optional<TargetChoice> target; ///< always there after `prepare`
-    Region region;                      ///< on `model`
+    Model model;                         ///< as imported, or remeshed around the line
+    FeatureLine line;                    ///< on `model`
+    std::optional<TargetChoice> target;  ///< always there after `prepare`
+    Region region;                       ///< on `model`
+    std::vector<AppendedVertex> rim_cut; ///< vertices that cutting the region's rim added to `model`
     RemeshInfo remesh;
     std::vector<std::string> warnings;
 };

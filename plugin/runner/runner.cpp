@@ -40,13 +40,12 @@ void collect_warnings(JobOutcome& outcome)
 /// From this change of the crease angle at the rim on, mean and largest, a move is said to leave a crease [deg].
 constexpr double rim_crease_mean = 0.5, rim_crease_max = 1.5;
 
-void warn_of_rim_crease(JobOutcome& outcome)
+void warn_of_rim_crease(JobOutcome& outcome, bool tangent)
 {
     const QualityReport& q = outcome.measures.quality;
     if (q.rim_crease_mean_change > rim_crease_mean || q.rim_crease_max_change > rim_crease_max) {
-        const char* remedy = outcome.move.method == Method::plate_fl
-                                 ? "widen it (--roi-distance)"
-                                 : "use --method plate-fl or widen it (--roi-distance)";
+        const char* remedy =
+            tangent ? "widen it (--roi-distance)" : "ask for --rim tangent or widen it (--roi-distance)";
         outcome.warnings.push_back(fmt::format(
             "the move leaves a crease where the region ends, {:.2g} deg in the mean and {:.2g} deg at most: "
             "{}",
@@ -117,6 +116,7 @@ MoveOptions move_options(const Job& job)
     options.check_unique = s.check_unique;
     options.rim = named<RimControl>(s.rim, {{"position", RimControl::position}, {"tangent", RimControl::tangent}})
                       .value_or(RimControl::automatic);
+    options.rim_width_mm = s.rim_width;
     options.rim_crease_angle = std::min(job.lines.crease_angle_low, job.lines.crease_angle);
     options.line_crease = s.crease == "keep" ? LineCrease::keep : LineCrease::free;
     options.plate_stiffness_ratio = s.plate_stiffness_ratio;
@@ -139,6 +139,8 @@ Result<JobOutcome> solve_steps(const Job& job, const JobInputs& inputs, Stopwatc
         })
         .and_then([&](MoveResult moved) -> Result<void> {
             outcome.move = std::move(moved);
+            const std::vector<AppendedVertex>& cut = outcome.preparation.rim_cut;
+            outcome.move.appended.insert(outcome.move.appended.begin(), cut.begin(), cut.end());
             for (const auto& [stage, seconds] : outcome.move.seconds) {
                 watch.add(stage, seconds);
             }
@@ -161,7 +163,7 @@ Result<JobOutcome> solve_steps(const Job& job, const JobInputs& inputs, Stopwatc
             outcome.input_sha256 = std::move(sum);
             outcome.gates = evaluate_gates(job.gate, outcome.measures);
             collect_warnings(outcome);
-            warn_of_rim_crease(outcome);
+            warn_of_rim_crease(outcome, job.move.rim == "tangent");
             outcome.seconds = watch.seconds();
             return std::move(outcome);
         });

@@ -3,6 +3,7 @@
 #include "kernel/method.h"
 #include "tests/plugin/run_command.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -44,7 +45,9 @@ TEST_F(Methods, AllMoveTheLineAndSayHow)
         EXPECT_LT(solver["error_estimate_mm"].get<double>(), 0.1) << name;
         EXPECT_EQ(solver["uniqueness_mm"], s["uniqueness"]["distance_mm"]);
         EXPECT_EQ(s["retraction"]["applied"].get<bool>(), info.splits) << name;
-        EXPECT_EQ(s["solve"].size(), info.splits ? 2U : 1U) << name;
+        // One run a part; the band that keeps the tangent plane at the rim comes on top.
+        const auto solves = std::ranges::count_if(s["solve"], [](const auto& part) { return part["side"] != "rim"; });
+        EXPECT_EQ(solves, info.splits ? 2 : 1) << name;
         EXPECT_LT(s["quality"]["line_error_max_mm"].get<double>(), 1e-9) << name;
     }
 }

@@ -3,6 +3,7 @@
 // crease-slide panel with surroundings, so that all four rims of the region are inside the model.
 #include "plugin/runner/measures.h"
 #include "tests/support/moves.h"
+#include "tests/support/wide_panel.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -14,43 +15,14 @@ using namespace tapeline::testing;
 
 namespace {
 
-/// 1000 × 800 mm; the region is the panel's 800 × 600 mm.
-struct WidePanel {
-    Model model;
-    std::vector<int> line;
-    Region region;
-
-    explicit WidePanel(Diagonals diagonals, int nx = 76, int ny = 54)
-        : model(model_of(grid(nx, ny, -500, 500, -400, 400, crease_panel_height, diagonals, {ny / 2})))
-    {
-        const Mesh& mesh = model.mesh;
-        std::vector<int> faces;
-        for (int t = 0; t < mesh.F.rows(); ++t) {
-            const Vec3 centre = (mesh.V.row(mesh.F(t, 0)) + mesh.V.row(mesh.F(t, 1)) + mesh.V.row(mesh.F(t, 2))) / 3;
-            if (std::abs(centre.x()) < 400 && std::abs(centre.y()) < 300) {
-                faces.push_back(t);
-            }
-        }
-        region = region_of_faces(model, faces, false, {});
-        for (int i = 0; i <= nx; ++i) {
-            if (std::abs(-500 + 1000.0 * i / nx) < 400) {
-                line.push_back(ny / 2 * (nx + 1) + i);
-            }
-        }
-    }
-};
-
 MeasuredMove move_panel(const WidePanel& panel, const TargetCurve& target, const MoveOptions& options)
 {
-    auto moved = move_feature_line(panel.model, line_of(panel.model, panel.line), target, panel.region, options);
-    if (!moved) {
-        throw std::runtime_error(moved.error().message);
-    }
-    auto quality = measure_quality(quality_input(*moved, target));
+    MoveResult moved = move_line(panel, target, options);
+    auto quality = measure_quality(quality_input(moved, target));
     if (!quality) {
         throw std::runtime_error(quality.error().message);
     }
-    return {std::move(*moved), *quality};
+    return {std::move(moved), *quality};
 }
 
 MeasuredMove slide_panel(const WidePanel& panel, double slide, Method method, LineCrease crease = LineCrease::free)
@@ -58,6 +30,9 @@ MeasuredMove slide_panel(const WidePanel& panel, double slide, Method method, Li
     MoveOptions options;
     options.method = method;
     options.line_crease = crease;
+    if (method == Method::asan_fl) {
+        options.rim = RimControl::position; // what its own energy does at the rim, which the plate is compared with
+    }
     return move_panel(panel, crease_slide_target(slide), options);
 }
 
