@@ -11,6 +11,7 @@
 #include <cmath>
 #include <exception>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace tapeline {
 
@@ -173,6 +174,20 @@ std::vector<int> rest_of_loop(const Correspondence& c)
                                                                                                  : std::vector<int>{};
 }
 
+/// Replaces edges on which the cut put a vertex by their two parts.
+void follow_cut(std::vector<VertexPair>& edges, const ExtendedLine& cut, int old_vertices)
+{
+    for (size_t i = 0; i < cut.appended.size(); ++i) {
+        const VertexPair whole = vertex_pair(cut.appended[i].a, cut.appended[i].b);
+        const int v = old_vertices + static_cast<int>(i);
+        if (std::erase(edges, whole) > 0) {
+            edges.push_back(vertex_pair(whole[0], v));
+            edges.push_back(vertex_pair(whole[1], v));
+        }
+    }
+    std::ranges::sort(edges);
+}
+
 void keep_loop(ExtendedLine& out, const Model& model, const Region& region, const Correspondence& c,
                const std::vector<int>& rest)
 {
@@ -237,7 +252,9 @@ Result<ExtendedLine> extend_line(const Model& model, const Region& region, const
         } else if (auto done = prolong(out, model, region, correspondence, options); !done) {
             return tl::unexpected(done.error());
         }
-        out.features = other_feature_edges(out.model, out.vertices, out.closed);
+        follow_cut(out.region.kept_edges, out, static_cast<int>(model.mesh.V.rows()));
+        std::ranges::set_union(other_feature_edges(out.model, out.vertices, out.closed), out.region.kept_edges,
+                               std::back_inserter(out.features));
         if (auto ok = set_targets(out, model, region.faces, correspondence, options); !ok) {
             return tl::unexpected(ok.error());
         }

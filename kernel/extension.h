@@ -44,7 +44,7 @@ struct ExtendedLine {
     std::vector<AppendedVertex> appended; ///< in the order of their indices
     /// Targets, one per entry of `vertices`; NaN rows where the extension is free.
     std::vector<Vec3> targets;
-    std::vector<VertexPair> features; ///< mesh edges of the model's other feature lines, ascending
+    std::vector<VertexPair> features; ///< mesh edges of the model's other feature lines and of kept lines, ascending
     std::vector<std::string> warnings;
 };
 

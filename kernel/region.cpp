@@ -11,6 +11,7 @@
 #include <cmath>
 #include <exception>
 #include <fmt/format.h>
+#include <iterator>
 #include <numbers>
 
 namespace tapeline {
@@ -252,6 +253,33 @@ Region complete(const Topology& topology, std::vector<int> faces, bool free_bord
     return region;
 }
 
+/// The chains' edges between two triangles of the region, ascending; a warning for each chain without any.
+std::vector<VertexPair> edges_inside(const Topology& topology, const std::vector<std::vector<int>>& chains,
+                                     const std::vector<char>& inside, std::vector<std::string>& warnings,
+                                     const char* what)
+{
+    std::vector<VertexPair> edges;
+    for (const std::vector<int>& chain : chains) {
+        const size_t before = edges.size();
+        for (size_t i = 1; i < chain.size(); ++i) {
+            const int e = topology.find_edge(chain[i - 1], chain[i]);
+            if (e >= 0 && topology.edge(e).face_count == 2 && inside[topology.edge(e).left] &&
+                inside[topology.edge(e).right]) {
+                edges.push_back(vertex_pair(chain[i - 1], chain[i]));
+            }
+        }
+        if (edges.size() == before) {
+            warnings.push_back(fmt::format("the line to be {} from vertex {} to vertex {} lies outside the region: it "
+                                           "does not move anyway",
+                                           what, chain.empty() ? -1 : chain.front(),
+                                           chain.empty() ? -1 : chain.back()));
+        }
+    }
+    std::ranges::sort(edges);
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+}
+
 Result<Region> make_checked(const Request& r)
 {
     auto choice = choose(r);
@@ -264,7 +292,16 @@ Result<Region> make_checked(const Request& r)
             faces.push_back(t);
         }
     }
-    Region region = complete(r.topology, std::move(faces), r.options.free_borders, r.options.fixed_vertices);
+    std::vector<int> fixed = r.options.fixed_vertices;
+    for (const std::vector<int>& chain : r.options.held_lines) {
+        std::ranges::copy_if(chain, std::back_inserter(fixed),
+                             [&](int v) { return std::ranges::count(r.line.vertices, v) == 0; });
+    }
+    Region region = complete(r.topology, std::move(faces), r.options.free_borders, fixed);
+    // What is held is no less a line than what is kept.
+    std::ranges::set_union(edges_inside(r.topology, r.options.kept_lines, choice->inside, choice->warnings, "kept"),
+                           edges_inside(r.topology, r.options.held_lines, choice->inside, choice->warnings, "held"),
+                           std::back_inserter(region.kept_edges));
     region.distance_mm = choice->distance_mm;
     region.warnings = std::move(choice->warnings);
     if (auto checked = check_region(r.model, r.topology, r.line, region, r.options); !checked) {

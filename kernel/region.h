@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/error.h"
+#include "kernel/face_patch.h"
 #include "kernel/feature_lines.h"
 #include "kernel/mesh.h"
 
@@ -14,11 +15,12 @@ namespace tapeline {
 
 /// The region of interest S (the paper's Section 3.1): a set of triangles, and which of its vertices do not move.
 struct Region {
-    std::vector<int> faces;       ///< triangle indices, ascending
-    std::vector<int> vertices;    ///< all vertices of those triangles, ascending
-    std::vector<int> fixed_rim;   ///< the immobile border F, ascending
-    std::vector<int> inner_fixed; ///< further fixed vertices inside (inner constraints), ascending
-    double distance_mm = 0;       ///< half-width of the distance band, 0 when the region was not made by distance
+    std::vector<int> faces;             ///< triangle indices, ascending
+    std::vector<int> vertices;          ///< all vertices of those triangles, ascending
+    std::vector<int> fixed_rim;         ///< the immobile border F, ascending
+    std::vector<int> inner_fixed;       ///< further fixed vertices inside (inner constraints), ascending
+    std::vector<VertexPair> kept_edges; ///< edges inside that must stay lines, however blunt, ascending
+    double distance_mm = 0;             ///< half-width of the distance band, 0 when the region was not made by distance
     std::vector<std::string> warnings;
 };
 
@@ -30,6 +32,10 @@ struct RegionOptions {
     bool free_borders = false;              ///< open borders of the model inside the region may move
     std::vector<int> fixed_vertices;        ///< inner constraints: these vertices stay
     std::vector<int> fixed_cad_faces;       ///< inner constraints: all vertices of these CAD faces stay
+    /// Vertex chains whose vertices inside the region stay, but for those that the moving line shares; their edges are kept,
+    /// too.
+    std::vector<std::vector<int>> held_lines;
+    std::vector<std::vector<int>> kept_lines; ///< vertex chains that stay lines: `Region::kept_edges`
 };
 
 /// Chooses the region around `line` for moving it to the points `targets` (one per line vertex, or empty). At most

@@ -50,7 +50,8 @@ std::vector<VertexPair> sharp_features(const SideMesh& side)
     const Topology topology(side.mesh.F, static_cast<int>(side.mesh.V.rows()));
     std::vector<VertexPair> sharp;
     std::ranges::copy_if(side.features, std::back_inserter(sharp), [&](const VertexPair& edge) {
-        return crease_angle(side.mesh, topology, topology.find_edge(edge[0], edge[1])) >= sharp_angle;
+        return std::ranges::binary_search(side.kept, edge) ||
+               crease_angle(side.mesh, topology, topology.find_edge(edge[0], edge[1])) >= sharp_angle;
     });
     return sharp;
 }

@@ -47,7 +47,7 @@ struct RetractionResult {
 /// as those of a hole. Their vertices slide along them in the same harmonic solve, corners and junctions stay, and all
 /// other vertices stay in their own smooth part of the side. A feature line that leaves L0 in the displacement's
 /// direction takes the vertex they share along. Where the target crosses another line, lines under 30° are dragged along
-/// like plain surface; crossing a sharper one is rejected.
+/// like plain surface; crossing a sharper one, or one of side.kept, is rejected.
 ///
 /// `harmonic`: the displacement is the orthotropic harmonic extension of those values (zero on the rim), in components
 /// of frames that are carried over the side in parallel, so that it follows a side that bends round (on a flat side:

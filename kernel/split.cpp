@@ -151,8 +151,9 @@ SideMesh make_side(const ExtendedLine& extended, const Topology& topology, const
     return side;
 }
 
-/// Takes over the edges of other feature lines that lie inside the side.
-void take_features(SideMesh& side, const Topology& topology, const std::vector<VertexPair>& features)
+/// Those of the edges that lie inside the side, as local pairs.
+std::vector<VertexPair> edges_in_side(const SideMesh& side, const Topology& topology,
+                                      const std::vector<VertexPair>& features)
 {
     const auto in_side = [&](int t) {
         const auto end = side.global_faces.begin() + side.inner_faces;
@@ -161,12 +162,14 @@ void take_features(SideMesh& side, const Topology& topology, const std::vector<V
     const auto local = [&](int v) {
         return static_cast<int>(std::ranges::lower_bound(side.to_global, v) - side.to_global.begin());
     };
+    std::vector<VertexPair> inside;
     for (const VertexPair& feature : features) {
         const int e = topology.find_edge(feature[0], feature[1]);
         if (e >= 0 && in_side(topology.edge(e).left) && in_side(topology.edge(e).right)) {
-            side.features.push_back({local(feature[0]), local(feature[1])});
+            inside.push_back({local(feature[0]), local(feature[1])});
         }
     }
+    return inside;
 }
 
 std::vector<char> region_flags(const ExtendedLine& extended)
@@ -232,7 +235,8 @@ Result<std::array<SideMesh, 2>> split_along(const ExtendedLine& extended, int cl
             }
         }
         sides[s] = make_side(extended, topology, faces, in_region, clamp_rings);
-        take_features(sides[s], topology, extended.features);
+        sides[s].features = edges_in_side(sides[s], topology, extended.features);
+        sides[s].kept = edges_in_side(sides[s], topology, extended.region.kept_edges);
     }
     return sides;
 }

@@ -25,6 +25,7 @@ struct SideMesh {
     std::vector<int> fixed; ///< local indices of immobile vertices (rim, inner constraints, clamp rings), ascending,
                             ///< without the vertices of `line`
     std::vector<VertexPair> features; ///< local edges inside the side that belong to other feature lines, ascending
+    std::vector<VertexPair> kept;     ///< those of them that nothing may be dragged over, however blunt, ascending
     std::vector<int> guided;          ///< local border vertices that make room for a line end sliding along the border
     std::vector<Vec3> guided_targets; ///< where each of them goes; see border_slide.h
 };

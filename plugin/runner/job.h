@@ -57,6 +57,8 @@ struct RegionSettings {
     bool free_borders = false;
     std::vector<int> fixed_vertices;
     std::vector<int> fixed_faces;
+    std::vector<LineSelector> keep;
+    std::vector<LineSelector> hold;
 };
 
 struct MoveSettings {

@@ -148,6 +148,11 @@ void add_region_options(std::vector<Option>& table)
          .help = "Vertices of the input inside the region that stay where they are.", .min = 0, .max = 2147483647},
         {.section = "region", .name = "fixed_faces", .slot = at<r, &R::fixed_faces>, .commands = moving,
          .help = "CAD faces inside the region that stay where they are, by their numbers.", .min = 0, .max = 1e9},
+        {.section = "region", .name = "keep", .slot = at<r, &R::keep>, .commands = moving,
+         .help = "Other lines that stay lines where the surface makes room, however blunt they are and wherever the "
+                 "target goes: their vertices slide along them. Feature lines or files of vertex indices."},
+        {.section = "region", .name = "hold", .slot = at<r, &R::hold>, .commands = moving,
+         .help = "Other lines whose vertices stay where they are. Feature lines or files of vertex indices."},
     });
 }
 

@@ -52,7 +52,13 @@ public:
                 .and_then([&] { return choose(lines); })
                 .and_then([&](FeatureLine line) {
                     made.line = std::move(line);
-                    return region_options(made.model, lines, job_.region);
+                    for (const FeatureLine& known : lines) {
+                        made.lines.push_back({known.id, line_points(made.model.mesh, known)});
+                        if (known.closed) {
+                            made.lines.back().points.push_back(made.lines.back().points.front());
+                        }
+                    }
+                    return region_options(made.model, lines, made.line, job_.region);
                 })
                 .map([&](RegionOptions options) { region_options_ = std::move(options); });
         });

@@ -3,6 +3,7 @@
 
 #include "io/model_file.h"
 #include "kernel/extension.h"
+#include "kernel/inner_lines.h"
 #include "kernel/progress.h"
 #include "kernel/region.h"
 #include "plugin/runner/inputs.h"
@@ -32,6 +33,7 @@ struct Preparation {
     Region region;                       ///< on `model`
     std::vector<AppendedVertex> rim_cut; ///< vertices that cutting the region's rim added to `model`
     RemeshInfo remesh;
+    std::vector<NamedLine> lines; ///< all feature lines, as they were before remeshing
     std::vector<std::string> warnings;
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <numbers>
+#include <set>
 
 namespace tapeline {
 
@@ -55,10 +56,60 @@ std::vector<int> part_with_line(const Mesh& mesh, const FeatureLine& line, const
     return faces;
 }
 
+/// Vertices of a line, the first one repeated where it is closed.
+std::vector<int> chain_of(const FeatureLine& line)
+{
+    std::vector<int> chain = line.vertices;
+    if (line.closed) {
+        chain.push_back(line.vertices.front());
+    }
+    return chain;
+}
+
+std::set<VertexPair> edges_of(const std::vector<int>& chain)
+{
+    std::set<VertexPair> edges;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+        edges.insert(vertex_pair(chain[i - 1], chain[i]));
+    }
+    return edges;
+}
+
+/// The chosen lines as chains. Rejected when one shares edges with the line `apart`, its continuation included.
+Result<std::vector<std::vector<int>>> chosen_chains(const Model& model, const std::vector<FeatureLine>& lines,
+                                                    const std::vector<LineSelector>& selectors, const char* flag,
+                                                    const FeatureLine* apart)
+{
+    std::set<VertexPair> taken;
+    if (apart) {
+        std::vector<int> whole(apart->before.rbegin(), apart->before.rend());
+        const std::vector<int> own = chain_of(*apart);
+        whole.insert(whole.end(), own.begin(), own.end());
+        whole.insert(whole.end(), apart->after.begin(), apart->after.end());
+        taken = edges_of(whole);
+    }
+    std::vector<std::vector<int>> chains;
+    for (const LineSelector& selector : selectors) {
+        const Result<FeatureLine> line = choose_line(model, lines, selector);
+        if (!line) {
+            return tl::unexpected(line.error());
+        }
+        chains.push_back(chain_of(*line));
+        const std::set<VertexPair> edges = edges_of(chains.back());
+        if (std::ranges::any_of(edges, [&](const VertexPair& edge) { return taken.contains(edge); })) {
+            return fail(ErrorKind::usage,
+                        fmt::format("{} names line {}, which is the line that moves: name other lines "
+                                    "(tapeline lines shows them)",
+                                    flag, selector.text));
+        }
+    }
+    return chains;
+}
+
 } // namespace
 
 Result<RegionOptions> region_options(const Model& model, const std::vector<FeatureLine>& lines,
-                                     const RegionSettings& settings)
+                                     const FeatureLine& moving, const RegionSettings& settings)
 {
     const int ways = (settings.roi_faces.empty() ? 0 : 1) + (settings.roi_lines.empty() ? 0 : 1) +
                      (settings.roi_box.empty() ? 0 : 1) + (settings.roi_distance > 0 ? 1 : 0);
@@ -85,17 +136,22 @@ Result<RegionOptions> region_options(const Model& model, const std::vector<Featu
                                           "ymax, zmax");
         }
     }
-    for (const LineSelector& selector : settings.roi_lines) {
-        const Result<FeatureLine> line = choose_line(model, lines, selector);
-        if (!line) {
-            return tl::unexpected(line.error());
-        }
-        options.bounding_lines.push_back(line->vertices);
-        if (line->closed) {
-            options.bounding_lines.back().push_back(line->vertices.front());
-        }
-    }
-    return options;
+    const auto chains = [&](const std::vector<LineSelector>& selectors, const char* flag, const FeatureLine* apart) {
+        return chosen_chains(model, lines, selectors, flag, apart);
+    };
+    return chains(settings.roi_lines, "--roi-lines", nullptr)
+        .and_then([&](auto bounding) {
+            options.bounding_lines = std::move(bounding);
+            return chains(settings.hold, "--hold", &moving);
+        })
+        .and_then([&](auto held) {
+            options.held_lines = std::move(held);
+            return chains(settings.keep, "--keep", &moving);
+        })
+        .map([&](auto kept) {
+            options.kept_lines = std::move(kept);
+            return std::move(options);
+        });
 }
 
 double automatic_roi_distance(const FeatureLine& line, const std::vector<Vec3>& displacements)

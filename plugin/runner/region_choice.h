@@ -10,9 +10,10 @@
 namespace tapeline {
 
 /// Translates the job's region settings for one model; reads files of bounding vertices. `lines` are the model's
-/// feature lines. Fails (usage) when more than one way to choose the region is given.
+/// feature lines, `moving` is the one that moves. Fails (usage) when more than one way to choose the region is given, or
+/// when a line to be kept or held is the moving one.
 Result<RegionOptions> region_options(const Model& model, const std::vector<FeatureLine>& lines,
-                                     const RegionSettings& settings);
+                                     const FeatureLine& moving, const RegionSettings& settings);
 
 /// Half-width [mm] of a band that holds the region which make_region would choose on an even mesh when none is given.
 double automatic_roi_distance(const FeatureLine& line, const std::vector<Vec3>& displacements);

@@ -26,17 +26,24 @@ public:
         before_ = add(line.vertices.front(), line.before);
         after_ = add(line.vertices.back(), line.after);
         bounding_ = chains_.size();
-        chains_.insert(chains_.end(), options.bounding_lines.begin(), options.bounding_lines.end());
+        for (const auto* lines : {&options.bounding_lines, &options.held_lines, &options.kept_lines}) {
+            chains_.insert(chains_.end(), lines->begin(), lines->end());
+        }
     }
 
     const std::vector<std::vector<int>>& chains() const { return chains_; }
 
-    /// What `before`, `after` and the bounding lines became, from the chains in new numbers.
+    /// What `before`, `after` and the other lines became, from the chains in new numbers.
     std::vector<int> before(const std::vector<std::vector<int>>& kept) const { return rest_of(kept, before_); }
     std::vector<int> after(const std::vector<std::vector<int>>& kept) const { return rest_of(kept, after_); }
-    std::vector<std::vector<int>> bounding(const std::vector<std::vector<int>>& kept) const
+    void renumber_lines(const std::vector<std::vector<int>>& kept, RegionOptions& options) const
     {
-        return {kept.begin() + static_cast<std::ptrdiff_t>(bounding_), kept.end()};
+        std::size_t next = bounding_;
+        for (auto* lines : {&options.bounding_lines, &options.held_lines, &options.kept_lines}) {
+            for (std::vector<int>& line : *lines) {
+                line = kept[next++];
+            }
+        }
     }
 
 private:
@@ -132,7 +139,7 @@ Result<Remeshed> remesh_around(const Model& model, const std::vector<int>& faces
     made.line.id = line.id;
     made.line.before = chains.before(kept);
     made.line.after = chains.after(kept);
-    made.options.bounding_lines = chains.bounding(kept);
+    chains.renumber_lines(kept, made.options);
     made.options.fixed_vertices = in_new_numbers(model, options.fixed_vertices, *result);
     made.model = std::move(result->model);
     return made;

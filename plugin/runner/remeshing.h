@@ -13,7 +13,7 @@ namespace tapeline {
 struct Remeshed {
     Model model;
     FeatureLine line;      ///< the same line, with the vertices that were put between, and its `before` and `after`
-    RegionOptions options; ///< bounding lines and fixed vertices in new numbers
+    RegionOptions options; ///< its lines and fixed vertices in new numbers
     double min_angle_before = 0; ///< over the remeshed part [deg]
     double min_angle_after = 0;
     int projected = 0;

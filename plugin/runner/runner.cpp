@@ -5,6 +5,7 @@
 #include "plugin/runner/job_outputs.h"
 #include "plugin/runner/sha256.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace tapeline {
@@ -50,6 +51,21 @@ void warn_of_rim_crease(JobOutcome& outcome, bool tangent)
             "the move leaves a crease where the region ends, {:.2g} deg in the mean and {:.2g} deg at most: "
             "{}",
             q.rim_crease_mean_change, q.rim_crease_max_change, remedy));
+    }
+}
+
+/// From this change of its mean crease angle on, another line is said to lose its crease [deg].
+constexpr double inner_crease_change = 2;
+
+void warn_of_inner_lines(JobOutcome& outcome)
+{
+    for (const InnerLine& line : outcome.inner_lines) {
+        if (line.id >= 0 && std::abs(line.crease_after - line.crease_before) > inner_crease_change) {
+            outcome.warnings.push_back(fmt::format("line {} in the region changes its crease angle from {:.3g} to "
+                                                   "{:.3g} deg: a region that ends before it "
+                                                   "(--roi-distance) leaves it out, --hold {} keeps it in its place",
+                                                   line.id, line.crease_before, line.crease_after, line.id));
+        }
     }
 }
 
@@ -156,6 +172,7 @@ Result<JobOutcome> solve_steps(const Job& job, const JobInputs& inputs, Stopwatc
         .and_then([&] { return measure_move(outcome.move, outcome.preparation.target->line); })
         .and_then([&](Measures measures) {
             outcome.measures = std::move(measures);
+            outcome.inner_lines = measure_inner_lines(outcome.move, outcome.preparation.lines);
             watch.lap("quality");
             return inputs.model ? Result<std::string>(inputs.model->sha256) : file_sha256(job.input);
         })
@@ -164,6 +181,7 @@ Result<JobOutcome> solve_steps(const Job& job, const JobInputs& inputs, Stopwatc
             outcome.gates = evaluate_gates(job.gate, outcome.measures);
             collect_warnings(outcome);
             warn_of_rim_crease(outcome, job.move.rim == "tangent");
+            warn_of_inner_lines(outcome);
             outcome.seconds = watch.seconds();
             return std::move(outcome);
         });

@@ -18,6 +18,7 @@ struct JobOutcome {
     Preparation preparation;
     MoveResult move;
     Measures measures;
+    std::vector<InnerLine> inner_lines; ///< other feature lines in the region
     std::vector<GateResult> gates;
     std::vector<std::string> warnings;                   ///< of all stages, in order
     std::vector<std::pair<std::string, double>> seconds; ///< per stage, in order

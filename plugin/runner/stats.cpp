@@ -156,6 +156,24 @@ ordered_json retraction_json(const RetractionReport& r)
             {"crossings", r.crossings}};
 }
 
+ordered_json inner_lines_json(const std::vector<InnerLine>& lines)
+{
+    ordered_json list = ordered_json::array();
+    for (const InnerLine& line : lines) {
+        const char* role = line.role == InnerLineRole::held     ? "held"
+                           : line.role == InnerLineRole::slides ? "slides"
+                                                                : "follows";
+        list.push_back({{"id", line.id},
+                        {"role", role},
+                        {"length_mm", line.length_mm},
+                        {"crease_before", line.crease_before},
+                        {"crease_after", line.crease_after},
+                        {"crease_change_max", line.crease_change_max},
+                        {"off_line_mm", line.off_line_mm}});
+    }
+    return list;
+}
+
 ordered_json exact_surface_json(const ExactSurfaceReport& r)
 {
     return {{"applied", r.applied},
@@ -185,6 +203,7 @@ ordered_json stats_json(const Job& job, const JobOutcome& o)
     stats["placement"] = placement_json(o.move.placement);
     stats["extension"] = extension_json(o.move);
     stats["retraction"] = retraction_json(o.move.retraction);
+    stats["inner_lines"] = inner_lines_json(o.inner_lines);
     stats["exact_surface"] = exact_surface_json(o.move.exact_surface);
     stats["solve"] = solve_json(o.move.solves);
     stats["uniqueness"] = uniqueness_json(o.move);

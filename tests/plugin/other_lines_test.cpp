@@ -2,7 +2,9 @@
 // Moves beside other feature lines, on models from elsewhere and on our bracket, through the program.
 #include "tests/plugin/run_command.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace tapeline::testing {
 namespace {
@@ -57,6 +59,91 @@ TEST(SlideToACorner, RefusesAnEndThatWouldSlidePastTheNeighbouringLine)
     EXPECT_NE(run.err.find("along another feature line that ends or turns after 0.1828 mm"), std::string::npos)
         << run.err;
     EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
+/// A move of the bracket's edge with more of the program's words.
+CommandRun move_bracket(const TemporaryFolder& folder, const std::vector<std::string>& more)
+{
+    std::vector<std::string> words = {"move",       TAPELINE_SOURCE_DIR "/resources/models/bracket.step",
+                                      "--line",     "2@15%..85%",
+                                      "--slide",    "0,4,0",
+                                      "--max-edge", "4",
+                                      "-o",         (folder / "moved.obj").string(),
+                                      "--stats",    (folder / "stats.json").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_tapeline(words);
+}
+
+nlohmann::json stats_in(const TemporaryFolder& folder)
+{
+    return nlohmann::json::parse(read_text(folder / "stats.json"));
+}
+
+TEST(InnerLinesOfAJob, AreReportedAndHeldWhereAsked)
+{
+    const TemporaryFolder folder;
+    const CommandRun free = move_bracket(folder, {"--roi-distance", "45"});
+    ASSERT_EQ(free.exit_code, 0) << free.err;
+    const nlohmann::json lines = stats_in(folder)["inner_lines"];
+    ASSERT_FALSE(lines.empty());
+    const auto sliding = std::ranges::find_if(lines, [](const auto& line) { return line["role"] == "slides"; });
+    ASSERT_NE(sliding, lines.end()) << lines.dump(1);
+    EXPECT_GE((*sliding)["id"], 0);
+    EXPECT_LT((*sliding)["off_line_mm"], 1e-3) << sliding->dump();
+    EXPECT_LT((*sliding)["crease_change_max"], 1) << sliding->dump();
+
+    const std::string id = std::to_string((*sliding)["id"].get<int>());
+    const CommandRun held = move_bracket(folder, {"--roi-distance", "45", "--hold", id});
+    ASSERT_EQ(held.exit_code, 0) << held.err;
+    bool found = false;
+    const nlohmann::json after = stats_in(folder)["inner_lines"];
+    for (const auto& line : after) {
+        if (line["id"] == (*sliding)["id"]) {
+            found = true;
+            EXPECT_EQ(line["role"], "held");
+            EXPECT_EQ(line["off_line_mm"], 0);
+        }
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST(InnerLinesOfAJob, RefuseLinesThatAreNotThereAndTheLineThatMoves)
+{
+    const TemporaryFolder folder;
+    for (const char* flag : {"--keep", "--hold"}) {
+        const CommandRun unknown = move_bracket(folder, {flag, "999"});
+        EXPECT_EQ(unknown.exit_code, 3) << unknown.err;
+        EXPECT_NE(unknown.err.find("999"), std::string::npos) << unknown.err;
+        const CommandRun own = move_bracket(folder, {flag, "2"});
+        EXPECT_EQ(own.exit_code, 1) << own.err;
+        EXPECT_NE(own.err.find(std::string(flag) + " names line 2, which is the line that moves"), std::string::npos)
+            << own.err;
+    }
+    EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
+TEST(InnerLinesOfAJob, OfTheFandiskStayInTheirPlaceWhereTheSurfaceMakesRoom)
+{
+    const auto data = data_folder();
+    if (!data) {
+        GTEST_SKIP() << "TAPELINE_DATA is not set";
+    }
+    const TemporaryFolder folder;
+    const CommandRun run =
+        run_tapeline({"move", (*data / "models" / "fandisk_pmp.off").string(), "--line", "0", "--slide", "0,0.1,0",
+                      "--quiet", "-o", (folder / "moved.obj").string(), "--stats", (folder / "stats.json").string()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    int sliding = 0;
+    const nlohmann::json lines = stats_in(folder)["inner_lines"];
+    for (const auto& line : lines) {
+        EXPECT_GE(line["id"], 0) << line.dump();
+        if (line["role"] == "slides") {
+            ++sliding;
+            // A thousandth of the slide.
+            EXPECT_LT(line["off_line_mm"], 1e-4) << line.dump();
+        }
+    }
+    EXPECT_GT(sliding, 0);
 }
 
 } // namespace
