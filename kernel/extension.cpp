@@ -174,15 +174,22 @@ std::vector<int> rest_of_loop(const Correspondence& c)
                                                                                                  : std::vector<int>{};
 }
 
-/// Replaces edges on which the cut put a vertex by their two parts.
-void follow_cut(std::vector<VertexPair>& edges, const ExtendedLine& cut, int old_vertices)
+/// Replaces kept edges on which the cut put a vertex by their two parts; between held vertices that one is held, too.
+void follow_cut(ExtendedLine& cut, int old_vertices)
 {
+    std::vector<VertexPair>& edges = cut.region.kept_edges;
+    std::vector<int>& held = cut.region.inner_fixed;
+    const std::vector<int> held_before = held;
+    const auto is_held = [&](int v) { return std::ranges::binary_search(held_before, v); };
     for (size_t i = 0; i < cut.appended.size(); ++i) {
         const VertexPair whole = vertex_pair(cut.appended[i].a, cut.appended[i].b);
         const int v = old_vertices + static_cast<int>(i);
         if (std::erase(edges, whole) > 0) {
             edges.push_back(vertex_pair(whole[0], v));
             edges.push_back(vertex_pair(whole[1], v));
+            if (is_held(whole[0]) && is_held(whole[1])) {
+                held.push_back(v); // numbered after all others
+            }
         }
     }
     std::ranges::sort(edges);
@@ -252,7 +259,7 @@ Result<ExtendedLine> extend_line(const Model& model, const Region& region, const
         } else if (auto done = prolong(out, model, region, correspondence, options); !done) {
             return tl::unexpected(done.error());
         }
-        follow_cut(out.region.kept_edges, out, static_cast<int>(model.mesh.V.rows()));
+        follow_cut(out, static_cast<int>(model.mesh.V.rows()));
         std::ranges::set_union(other_feature_edges(out.model, out.vertices, out.closed), out.region.kept_edges,
                                std::back_inserter(out.features));
         if (auto ok = set_targets(out, model, region.faces, correspondence, options); !ok) {

@@ -139,11 +139,13 @@ Result<void> MoveState::extend()
         }
         extended_ = std::move(*extended);
         std::ranges::copy(extended_.warnings, std::back_inserter(result_.warnings));
-        // Where the line ends on the rim, it stays there to the bit.
+        // Where the line ends on the rim or runs over what is held, it stays there to the bit.
         for (size_t i = 0; i < extended_.vertices.size(); ++i) {
             const bool used = static_cast<int>(i) >= extended_.first && static_cast<int>(i) <= extended_.last;
-            if (!used && std::ranges::binary_search(extended_.region.fixed_rim, extended_.vertices[i])) {
-                extended_.targets[i] = extended_.model.mesh.V.row(extended_.vertices[i]);
+            const int v = extended_.vertices[i];
+            if (!used && (std::ranges::binary_search(extended_.region.fixed_rim, v) ||
+                          std::ranges::binary_search(extended_.region.inner_fixed, v))) {
+                extended_.targets[i] = extended_.model.mesh.V.row(v);
             }
         }
         return retracts_on_rails() ? carry_extension(extended_) : Result<void>();
