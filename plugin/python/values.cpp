@@ -57,7 +57,7 @@ py::array list_of(const std::vector<T>& list, const py::capsule& owner)
 /// The object as an n×3 array of one of these kinds of numbers.
 py::array table_of(const py::object& object, const char* what, const char* kinds)
 {
-    const py::array array = py::array::ensure(object);
+    py::array array = py::array::ensure(object);
     if (!array) {
         PyErr_Clear();
         refuse(fmt::format("{} must be an array of shape (n, 3)", what));
