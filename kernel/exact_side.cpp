@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/exact_side.h"
 
+#include "kernel/cad_edge.h"
 #include "kernel/curve.h"
 #include "kernel/parallel.h"
 #include "kernel/remesh_surface.h"
+#include "kernel/segment.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,21 +13,6 @@
 namespace tapeline {
 
 namespace {
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-    const Vec3 step = b - a;
-    const double t = step.squaredNorm() > 0 ? std::clamp(step.dot(p - a) / step.squaredNorm(), 0.0, 1.0) : 0;
-    return (p - a - t * step).norm();
-}
-
-/// Number of the CAD edge on which the model's edge (a, b) lies, or -1.
-int cad_edge_of(const Model& model, int a, int b)
-{
-    const auto [low, high] = std::minmax(a, b);
-    const auto at = std::ranges::lower_bound(model.cad_edges, CadEdgeTag{low, high, -1});
-    return at != model.cad_edges.end() && at->a == low && at->b == high ? at->cad_edge : -1;
-}
 
 std::span<const int> inner_faces(const SideMesh& side)
 {
@@ -56,7 +43,7 @@ ExactSide::ExactSide(const Model& model, const SideMesh& side, bool on_rails)
     }
     std::ranges::sort(lines);
     for (const VertexPair& line : lines) {
-        if (const int e = cad_edge_of(model, side.to_global[line[0]], side.to_global[line[1]]); e >= 0) {
+        if (const int e = cad_edge_at(model, vertex_pair(side.to_global[line[0]], side.to_global[line[1]])); e >= 0) {
             edges_.emplace_back(line, e);
             on_edge_[line[0]] = on_edge_[line[1]] = 1;
         }

@@ -2,6 +2,7 @@
 #include "kernel/inner_lines.h"
 
 #include "kernel/feature_rails.h"
+#include "kernel/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,6 @@ namespace tapeline {
 
 namespace {
 
-double distance_to(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-    const Vec3 step = b - a;
-    const double t = step.squaredNorm() > 0 ? std::clamp(step.dot(p - a) / step.squaredNorm(), 0.0, 1.0) : 0;
-    return (p - a - t * step).norm();
-}
-
 /// Number of the named line nearest to the middle of an edge, if that is nearer than the edge is long.
 int id_of(const Vec3& a, const Vec3& b, const std::vector<NamedLine>& names)
 {
@@ -29,7 +23,7 @@ int id_of(const Vec3& a, const Vec3& b, const std::vector<NamedLine>& names)
     int id = -1;
     for (const NamedLine& name : names) {
         for (size_t i = 1; i < name.points.size(); ++i) {
-            if (const double d = distance_to(middle, name.points[i - 1], name.points[i]); d < least) {
+            if (const double d = distance_to_segment(middle, name.points[i - 1], name.points[i]); d < least) {
                 least = d;
                 id = name.id;
             }
@@ -110,7 +104,7 @@ private:
             const Vec3 p = move_.V.row(v);
             double least = p == at(v) ? 0 : std::numeric_limits<double>::infinity();
             for (size_t i = 0; i < edges_.size() && least > 0; ++i) {
-                least = std::min(least, distance_to(p, at(edges_[i][0]), at(edges_[i][1])));
+                least = std::min(least, distance_to_segment(p, at(edges_[i][0]), at(edges_[i][1])));
             }
             line.off_line_mm = std::max(line.off_line_mm, least);
         }

@@ -28,6 +28,18 @@ double mean_size(const std::vector<Vec3>& vectors)
 
 } // namespace
 
+ExtendedLine unextended(const Model& model, const Region& region, const Correspondence& correspondence)
+{
+    ExtendedLine line;
+    line.model = model;
+    line.region = region;
+    line.vertices = correspondence.line.vertices;
+    line.closed = correspondence.line.closed;
+    line.last = static_cast<int>(line.vertices.size()) - 1;
+    line.targets = correspondence.targets;
+    return line;
+}
+
 Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio)
 {
     Vec3 sum = Vec3::Zero();
@@ -154,12 +166,7 @@ Result<void> MoveState::extend()
 
 void MoveState::keep_whole()
 {
-    extended_.model = model_;
-    extended_.region = result_.region;
-    extended_.vertices = result_.correspondence.line.vertices;
-    extended_.closed = result_.correspondence.line.closed;
-    extended_.last = static_cast<int>(extended_.vertices.size()) - 1;
-    extended_.targets = result_.correspondence.targets;
+    extended_ = unextended(model_, result_.region, result_.correspondence);
     whole_.side = whole_region(extended_, options_.clamp_rings);
     whole_.rest = whole_.V = whole_.side.mesh.V;
 }

@@ -13,6 +13,9 @@
 
 namespace tapeline {
 
+/// The line as it is, with nothing beyond its ends, for methods that keep the region in one piece.
+ExtendedLine unextended(const Model& model, const Region& region, const Correspondence& correspondence);
+
 /// A move under way: what the steps of `move_feature_line` hand on to each other. Each step calls one module.
 class MoveState {
 public:

@@ -122,46 +122,53 @@ std::string complaint(const QualityInput& input)
     return wrong.empty() ? face_complaint(input.tension_faces, static_cast<int>(faces)) : wrong;
 }
 
-} // namespace quality
+namespace {
 
-Result<QualityReport> measure_quality(const QualityInput& input)
+/// What the quality strip shows.
+void measure_strip(const Context& context, QualityReport& report)
 {
-    const std::string wrong = quality::complaint(input);
+    measure_line(context, report);
+    measure_bulge(context, report);
+    measure_sections(context, report);
+    measure_creases(context, report);
+}
+
+/// A report with what `measure` takes, or why nothing can be measured.
+Result<QualityReport> measured(const QualityInput& input, void (*measure)(const Context&, QualityReport&))
+{
+    const std::string wrong = complaint(input);
     if (!wrong.empty()) {
         return fail(ErrorKind::rejected, wrong);
     }
     try {
-        const quality::Context context(input);
         QualityReport report;
-        quality::measure_line(context, report);
-        quality::measure_bulge(context, report);
-        quality::measure_sections(context, report);
-        quality::measure_curvature(context, report);
-        quality::measure_creases(context, report);
-        quality::measure_triangles(context, report);
-        report.self_intersections = quality::new_self_intersections(context);
-        report.symmetry_residual_mm = quality::symmetry_residual(context);
-        quality::measure_rim(context, report);
-        quality::measure_extension(context, report);
+        measure(Context(input), report);
         return report;
     } catch (const std::exception& e) {
         return fail(ErrorKind::rejected, fmt::format("Cannot measure the result: {}.", e.what()));
     }
 }
 
+} // namespace
+
+} // namespace quality
+
+Result<QualityReport> measure_quality(const QualityInput& input)
+{
+    return quality::measured(input, [](const quality::Context& context, QualityReport& report) {
+        quality::measure_strip(context, report);
+        quality::measure_curvature(context, report);
+        quality::measure_triangles(context, report);
+        report.self_intersections = quality::new_self_intersections(context);
+        report.symmetry_residual_mm = quality::symmetry_residual(context);
+        quality::measure_rim(context, report);
+        quality::measure_extension(context, report);
+    });
+}
+
 Result<QualityReport> measure_strip(const QualityInput& input)
 {
-    const std::string wrong = quality::complaint(input);
-    if (!wrong.empty()) {
-        return fail(ErrorKind::rejected, wrong);
-    }
-    const quality::Context context(input);
-    QualityReport report;
-    quality::measure_line(context, report);
-    quality::measure_bulge(context, report);
-    quality::measure_sections(context, report);
-    quality::measure_creases(context, report);
-    return report;
+    return quality::measured(input, &quality::measure_strip);
 }
 
 QualityMaps quality_maps(const QualityInput& input)

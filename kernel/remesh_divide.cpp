@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/cad_edge.h"
 #include "kernel/edge_split.h"
 #include "kernel/remesh_features.h"
 #include "kernel/remesh_stages.h"
@@ -10,12 +11,6 @@
 namespace tapeline {
 
 namespace {
-
-int tag_at(const std::vector<CadEdgeTag>& tags, const VertexPair& edge)
-{
-    const auto it = std::lower_bound(tags.begin(), tags.end(), CadEdgeTag{edge[0], edge[1], -1});
-    return it != tags.end() && it->a == edge[0] && it->b == edge[1] ? it->cad_edge : -1;
-}
 
 /// CAD face on which both triangles at an edge lie; -1 when there is none or they differ.
 int face_beside(const Model& model, const Topology& topology, const VertexPair& pair)
@@ -54,7 +49,7 @@ Divided divide(const Model& model, const Topology& topology, const std::vector<i
             const int v = vertices + static_cast<int>(points.size());
             points.push_back({e[0], e[1], static_cast<double>(i) / parts});
             between[e].push_back(v);
-            const int cad_edge = tag_at(model.cad_edges, e);
+            const int cad_edge = cad_edge_at(model, e);
             out.sites.push_back({v, cad_edge, cad_edge < 0 ? face_beside(model, topology, e) : -1,
                                  std::max(0.5 * options.max_edge_mm, 0.25 * length)});
             out.kept.push_back(vertex_pair(previous, v));

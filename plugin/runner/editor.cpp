@@ -41,19 +41,6 @@ void set_materials(DragStart& start, const MoveOptions& options, const std::vect
     start.tilting = tilting_rim(start.extended.model, start.extended.region, options.rim, options.rim_crease_angle);
 }
 
-/// The line with nothing beyond its ends, for methods that keep the region in one piece.
-ExtendedLine unextended(const Model& model, const Region& region, const Correspondence& correspondence)
-{
-    ExtendedLine line;
-    line.model = model;
-    line.region = region;
-    line.vertices = correspondence.line.vertices;
-    line.closed = correspondence.line.closed;
-    line.last = static_cast<int>(line.vertices.size()) - 1;
-    line.targets = correspondence.targets;
-    return line;
-}
-
 DragStart start_at_rest(const Placing& placing, const MoveOptions& options)
 {
     const Preparation& p = placing.preparation;

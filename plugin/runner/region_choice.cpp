@@ -2,6 +2,7 @@
 #include "plugin/runner/region_choice.h"
 
 #include "kernel/parallel.h"
+#include "kernel/segment.h"
 #include "plugin/runner/vertex_list.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ namespace {
 /// Distance of p to a triangle with corners a, b, c (Ericson, Real-Time Collision Detection, 5.1.5).
 double triangle_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
-    const auto to_segment = [&](const Vec3& from, const Vec3& to) {
-        const Vec3 d = to - from;
-        const double length2 = d.squaredNorm();
-        const double t = length2 > 0 ? std::clamp((p - from).dot(d) / length2, 0.0, 1.0) : 0.0;
-        return (p - from - t * d).norm();
-    };
     const Vec3 normal = (b - a).cross(c - a);
     const double area2 = normal.squaredNorm();
     const bool inside = area2 > 0 && normal.dot((b - a).cross(p - a)) >= 0 && normal.dot((c - b).cross(p - b)) >= 0 &&
@@ -29,7 +24,7 @@ double triangle_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
     if (inside) {
         return std::abs(normal.dot(p - a)) / std::sqrt(area2);
     }
-    return std::min({to_segment(a, b), to_segment(b, c), to_segment(c, a)});
+    return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
 }
 
 /// Connected part (across edges) of the marked triangles that holds the line's triangles.
