@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How our document objects look in the tree and the 3D view."""
 from . import icon
-from .objects.base import kind_of
+from .objects.base import Unsaved, kind_of
 
 
-class View:
+class View(Unsaved):
     """View provider shared by all: icon, children in the tree, double click opens the panel."""
 
     def __init__(self, view):
@@ -32,18 +32,6 @@ class View:
 
     def onChanged(self, view, name):  # noqa: N802
         pass
-
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
 
 
 class LinesView(View):

@@ -6,7 +6,23 @@ from .. import engine, worker
 from ..text import complain, sentence_of, translate
 
 
-class Proxy:
+class Unsaved:
+    """Nothing of the Python side is saved; FreeCAD 0.20 asks for the first pair, 0.21 and later for the second."""
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+
+class Proxy(Unsaved):
     """Python side of a document object. Keeps nothing of its own: all that matters is in properties."""
 
     kind = ""
@@ -36,19 +52,6 @@ class Proxy:
 
     def compute(self, obj):
         """The object's own work."""
-
-    # Nothing of the Python side is saved; FreeCAD 0.20 asks for the first pair, 0.21 and later for the second.
-    def __getstate__(self):
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
 
 
 def property_if_missing(obj, kind, name, group, text, mode=0, hidden=False):
