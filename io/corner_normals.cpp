@@ -31,7 +31,7 @@ public:
         const Fan around = fan(t, corner);
         Vec3 sum = Vec3::Zero();
         for (const int s : around.faces) {
-            sum += angle(s, v) * face_normals_.row(s).transpose();
+            sum += weighted_normal(s, v);
         }
         const Vec3 own = face_normals_.row(t);
         const Vec3 mean = sum.norm() > 0 ? Vec3(sum.normalized()) : own;
@@ -39,13 +39,16 @@ public:
     }
 
 private:
-    double angle(int t, int v) const
+    /// Exact at a vertex of any triangles whose corners lie on a sphere, whatever their shapes (Max, Weights for
+    /// Computing Vertex Normals from Facet Normals, 1999): a needle or a cap, whose own normal is uncertain, counts little.
+    Vec3 weighted_normal(int t, int v) const
     {
         const int k = mesh_.F(t, 0) == v ? 0 : (mesh_.F(t, 1) == v ? 1 : 2);
         const Vec3 p = mesh_.V.row(v);
         const Vec3 e1 = mesh_.V.row(mesh_.F(t, (k + 1) % 3)).transpose() - p;
         const Vec3 e2 = mesh_.V.row(mesh_.F(t, (k + 2) % 3)).transpose() - p;
-        return std::atan2(e1.cross(e2).norm(), e1.dot(e2));
+        const double lengths = e1.squaredNorm() * e2.squaredNorm();
+        return lengths > 0 ? Vec3(e1.cross(e2) / lengths) : Vec3(Vec3::Zero());
     }
 
     /// The next triangle around v from t (-1 at a sharp edge), and the edge to it: the one that `through` is not.
@@ -130,27 +133,6 @@ private:
 };
 
 } // namespace
-
-std::vector<char> sharp_edges(const Mesh& mesh, const Topology& topology, double crease_angle,
-                              const std::vector<std::vector<int>>& lines)
-{
-    const double smooth = std::cos(crease_angle * std::numbers::pi / 180);
-    std::vector<char> sharp(topology.edge_count(), 0);
-    parallel_for(topology.edge_count(), [&](int e) {
-        const MeshEdge& edge = topology.edge(e);
-        sharp[e] = edge.face_count != 2 || edge.left < 0 || edge.right < 0 ||
-                   triangle_normal(mesh, edge.left).dot(triangle_normal(mesh, edge.right)) < smooth;
-    });
-    for (const std::vector<int>& line : lines) {
-        for (size_t i = 1; i < line.size(); ++i) {
-            const int e = topology.find_edge(line[i - 1], line[i]);
-            if (e >= 0) {
-                sharp[e] = 1;
-            }
-        }
-    }
-    return sharp;
-}
 
 Positions corner_normals(const Mesh& mesh, const Topology& topology, const std::vector<char>& sharp)
 {

@@ -46,12 +46,13 @@ struct PictureLine {
 struct PictureOptions {
     int width = 1200, height = 900; ///< pixels, 64 to 8192 each
     Shading shading = Shading::shaded;
-    std::optional<Camera> camera;              ///< none: `fit_camera` of the mesh
-    std::vector<double> values;                ///< per vertex, for curvature_sign and signed_map; NaN = not measured
-    double value_range = 0;                    ///< signed_map: value of the full colour; 0 = largest |value|
-    std::string value_unit = "mm";             ///< signed_map: written at the colour scale
-    double zebra_period = 0;                   ///< [deg]; 0 = `fit_zebra` of the mesh
-    double crease_angle = 10;                  ///< edges at least this sharp are drawn thin and not smoothed over [deg]
+    std::optional<Camera> camera;  ///< none: `fit_camera` of the mesh
+    std::vector<double> values;    ///< per vertex, for curvature_sign and signed_map; NaN = not measured
+    double value_range = 0;        ///< signed_map: value of the full colour; 0 = largest |value|
+    std::string value_unit = "mm"; ///< signed_map: written at the colour scale
+    double zebra_period = 0;       ///< [deg]; 0 = `fit_zebra` of the mesh
+    /// Edges at least this sharp [deg], and what goes on from them while it stands out, are drawn thin and not smoothed over.
+    double crease_angle = 10;
     std::vector<std::vector<int>> sharp_lines; ///< vertex chains that are not smoothed over, however weak their crease
     std::vector<PictureLine> lines;
     std::string title;

@@ -7,11 +7,12 @@
 /// Inside of io/picture: how a surface looks.
 namespace tapeline::picture {
 
-/// Normals to shade with: row 3 t + k belongs to corner k of triangle t. Weighted by angle over the triangles around the
-/// corner that are reached without crossing an edge that is marked sharp.
+/// Normals to shade with: row 3 t + k belongs to corner k of triangle t. A mean over the triangles around the corner that
+/// are reached without crossing an edge that is marked sharp, in which needles and caps count little.
 Positions corner_normals(const Mesh& mesh, const Topology& topology, const std::vector<char>& sharp);
 
-/// Marks per edge of `topology`: open borders, edges of at least `crease_angle` [deg], edges of the `lines`.
+/// Marks per edge of `topology`: open borders, edges of at least `crease_angle` [deg], edges of the `lines`, and edges
+/// that go on from those for as long as they stand out from the surface beside them: a crease that fades away.
 std::vector<char> sharp_edges(const Mesh& mesh, const Topology& topology, double crease_angle,
                               const std::vector<std::vector<int>>& lines);
 

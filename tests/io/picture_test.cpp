@@ -233,26 +233,6 @@ TEST(FitCamera, ShowsAllVerticesFromTheSideThatTheNormalsFace)
     }
 }
 
-TEST(CornerNormals, AreExactOnAParabolicSheetUpToItsBordersAndSplitAtItsCrease)
-{
-    const Mesh mesh = crease_panel(40, 30);
-    const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
-    const auto sharp = picture::sharp_edges(mesh, topology, 10, {});
-    const Positions normals = picture::corner_normals(mesh, topology, sharp);
-    double worst = 0;
-    for (int t = 0; t < mesh.F.rows(); ++t) {
-        const double side = (mesh.V(mesh.F(t, 0), 1) + mesh.V(mesh.F(t, 1), 1) + mesh.V(mesh.F(t, 2), 1)) > 0 ? 1 : -1;
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 p = mesh.V.row(mesh.F(t, k));
-            const Vec3 exact =
-                Vec3(p.x() / 6000, p.y() / 3000 + side * std::tan(6 * std::numbers::pi / 180), 1).normalized();
-            worst = std::max(worst, (Vec3(normals.row(3 * t + k)) - exact).norm());
-        }
-    }
-    // One-sided means at the border would be off by half a cell, 10 / 3000; the sheet's four corners are the worst.
-    EXPECT_LT(worst, 1.6e-3);
-}
-
 TEST(Raster, CoversExactlyTheProjectedArea)
 {
     const Mesh square = grid(3, 3, -1, 1, -1, 1, [](double, double) { return 0.0; });
