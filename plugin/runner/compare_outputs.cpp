@@ -70,10 +70,12 @@ ordered_json run_json(const MethodRun& run, const std::vector<int>& ranking, int
         json["solve"] = solve_json(run.move->solves);
         json["uniqueness"] = uniqueness_json(*run.move);
         json["quality"] = measures_json(run.measures);
+        json["inner_lines"] = inner_lines_json(run.inner_lines);
         json["gates"] = gates_json(run.gates);
         json["warnings"] = run.move->warnings;
     } else {
-        for (const char* key : {"placement", "retraction", "solve", "uniqueness", "quality", "gates", "warnings"}) {
+        for (const char* key :
+             {"placement", "retraction", "solve", "uniqueness", "quality", "inner_lines", "gates", "warnings"}) {
             json[key] = nullptr;
         }
     }
@@ -153,6 +155,7 @@ Page make_page(const Job& job, const Comparison& c, const std::vector<int>& orde
         entry.title = method_title(run.method);
         entry.move = run.move ? &*run.move : nullptr;
         entry.measures = &run.measures;
+        entry.inner_lines = run.inner_lines;
         entry.verdict = verdict(run);
         entry.missed = missed_limits(run);
         entry.reason = run.failure ? run.failure->message : "";

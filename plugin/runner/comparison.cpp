@@ -44,6 +44,7 @@ MethodRun run_method(const Preparation& p, const Job& job, const std::string& me
     }
     run.move = std::move(*moved);
     run.measures = std::move(*measured);
+    run.inner_lines = measure_inner_lines(*run.move, p.lines);
     run.gates = evaluate_gates(job.gate, run.measures);
     if (!run.move->converged()) {
         run.failure = not_converged(*run.move);

@@ -15,11 +15,12 @@ namespace tapeline {
 /// What one method made of the job.
 struct MethodRun {
     std::string method;
-    std::optional<MoveResult> move; ///< none when the method failed
-    Measures measures;              ///< of `move`
-    std::vector<GateResult> gates;  ///< of the job's limits
-    std::optional<Error> failure;   ///< why there is no result, or why the one there is cannot be trusted
-    double seconds = 0;             ///< of the move itself, on its share of the processors
+    std::optional<MoveResult> move;     ///< none when the method failed
+    Measures measures;                  ///< of `move`
+    std::vector<InnerLine> inner_lines; ///< of `move`: other feature lines in the region
+    std::vector<GateResult> gates;      ///< of the job's limits
+    std::optional<Error> failure;       ///< why there is no result, or why the one there is cannot be trusted
+    double seconds = 0;                 ///< of the move itself, on its share of the processors
 
     /// A result that may be ranked.
     bool sound() const { return move.has_value() && !failure; }

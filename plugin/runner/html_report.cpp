@@ -39,6 +39,7 @@ PageEntry entry_of(const Job& job, const JobOutcome& outcome)
     entry.title = method_title(entry.name);
     entry.move = &outcome.move;
     entry.measures = &outcome.measures;
+    entry.inner_lines = outcome.inner_lines;
     const bool converged = outcome.move.converged(), ambiguous = outcome.move.ambiguous();
     entry.sound = converged && !ambiguous;
     entry.verdict = !converged ? "not converged" : (ambiguous ? "ambiguous" : "converged");

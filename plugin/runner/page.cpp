@@ -119,8 +119,9 @@ std::string page_html(const Page& page)
 {
     const PageEntry* leader = page::leading(page);
     const bool single = page.entries.size() == 1;
-    const std::string table =
-        single && leader != nullptr ? page::measures_list(*leader->measures) : page::measures_table(page);
+    const std::string table = single && leader != nullptr
+                                  ? page::measures_list(*leader->measures) + page::inner_lines_list(leader->inner_lines)
+                                  : page::measures_table(page);
     const std::string description =
         page.description.empty() ? "" : fmt::format("<p class=\"description\">{}</p>", html_text(page.description));
     const std::string warnings = page.warnings.empty() ? "" : "<h2>Warnings</h2>\n" + list_html(page.warnings);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/curve.h"
+#include "kernel/inner_lines.h"
 #include "plugin/runner/measures.h"
 #include "plugin/runner/pictures.h"
 
@@ -18,10 +19,11 @@ struct PageEntry {
     std::string title;                ///< what the method is, in one line
     const MoveResult* move = nullptr; ///< null: there is none
     const Measures* measures = nullptr;
-    std::string verdict; ///< in two or three words
-    std::string missed;  ///< names of limits that are missed
-    std::string reason;  ///< why the result is missing or not to be trusted; empty when it is sound
-    bool sound = true;   ///< may be marked as the best
+    std::vector<InnerLine> inner_lines; ///< other feature lines in the region
+    std::string verdict;                ///< in two or three words
+    std::string missed;                 ///< names of limits that are missed
+    std::string reason;                 ///< why the result is missing or not to be trusted; empty when it is sound
+    bool sound = true;                  ///< may be marked as the best
     double seconds = 0;
     std::vector<Picture> pictures; ///< of the state after
     std::optional<Picture> sections;

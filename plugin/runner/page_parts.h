@@ -17,6 +17,9 @@ std::string measures_table(const Page& page);
 /// The same measures for one result, one row a measure.
 std::string measures_list(const Measures& measures);
 
+/// Other feature lines of one result, one row a line; nothing where there are none.
+std::string inner_lines_list(const std::vector<InnerLine>& lines);
+
 /// Sections of all entries over each other at three places of the line, the state before dotted.
 std::string sections_svg(const Page& page);
 /// Colour of an entry in the sections, "#rrggbb".

@@ -2,6 +2,7 @@
 #include "plugin/runner/html.h"
 #include "plugin/runner/numbers.h"
 #include "plugin/runner/page_parts.h"
+#include "plugin/runner/stats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,10 +107,35 @@ void add_triangle_columns(std::vector<Column>& columns)
         });
 }
 
+/// What became of the other feature lines: the one whose crease changed most, and the one that left its place farthest
+/// of those that are meant to keep it.
+void add_line_columns(std::vector<Column>& columns)
+{
+    columns.push_back({"Other lines", "crease", "deg", Better::less, 2, [](const PageEntry& e) {
+                           Value most;
+                           for (const InnerLine& line : e.inner_lines) {
+                               most = std::max(most.value_or(0), std::abs(line.crease_after - line.crease_before));
+                           }
+                           return most;
+                       }});
+    columns.push_back({"Other lines", "off by", "mm", Better::neither, -1, [](const PageEntry& e) {
+                           Value most;
+                           for (const InnerLine& line : e.inner_lines) {
+                               if (line.role != InnerLineRole::follows) {
+                                   most = std::max(most.value_or(0), line.off_line_mm);
+                               }
+                           }
+                           return most;
+                       }});
+}
+
 std::vector<Column> all_columns(const Page& page)
 {
     std::vector<Column> columns;
     add_shape_columns(columns);
+    if (std::ranges::any_of(page.entries, [](const PageEntry& e) { return !e.inner_lines.empty(); })) {
+        add_line_columns(columns);
+    }
     add_triangle_columns(columns);
     if (std::ranges::any_of(page.entries, [](const PageEntry& e) { return e.move && e.move->uniqueness.checked; })) {
         columns.push_back({"Unique", "to", "mm", Better::less, -1, [](const PageEntry& e) {
@@ -255,6 +281,23 @@ std::string measures_list(const Measures& measures)
         table += fmt::format("<tr><th class=\"name\">{0}</th><{3}>{1}</{3}><{3}>{2}</{3}></tr>\n", html_text(row.at(0)),
                              html_text(row.size() > 1 ? row[1] : ""), html_text(row.size() > 2 ? row[2] : ""), tag);
         head = false;
+    }
+    return table + "</tbody></table>\n";
+}
+
+std::string inner_lines_list(const std::vector<InnerLine>& lines)
+{
+    if (lines.empty()) {
+        return {};
+    }
+    std::string table = "<table class=\"list\"><tbody>\n<tr><th class=\"name\">Other feature lines</th><th>length</th>"
+                        "<th>crease before</th><th>after</th><th>off its place</th></tr>\n";
+    for (const InnerLine& line : lines) {
+        table += fmt::format("<tr><th class=\"name\">{}, {}</th><td>{} mm</td><td>{:.2f}°</td><td>{:.2f}°</td>"
+                             "<td>{} mm</td></tr>\n",
+                             line.id < 0 ? "no number" : fmt::format("line {}", line.id), role_word(line.role),
+                             short_number(line.length_mm), line.crease_before, line.crease_after,
+                             short_number(line.off_line_mm));
     }
     return table + "</tbody></table>\n";
 }

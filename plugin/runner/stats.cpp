@@ -156,15 +156,17 @@ ordered_json retraction_json(const RetractionReport& r)
             {"crossings", r.crossings}};
 }
 
+const char* role_word(InnerLineRole role)
+{
+    return role == InnerLineRole::held ? "held" : (role == InnerLineRole::slides ? "slides" : "follows");
+}
+
 ordered_json inner_lines_json(const std::vector<InnerLine>& lines)
 {
     ordered_json list = ordered_json::array();
     for (const InnerLine& line : lines) {
-        const char* role = line.role == InnerLineRole::held     ? "held"
-                           : line.role == InnerLineRole::slides ? "slides"
-                                                                : "follows";
         list.push_back({{"id", line.id},
-                        {"role", role},
+                        {"role", role_word(line.role)},
                         {"length_mm", line.length_mm},
                         {"crease_before", line.crease_before},
                         {"crease_after", line.crease_after},

@@ -17,6 +17,8 @@ nlohmann::ordered_json placement_json(const PlacementResult& placement);
 nlohmann::ordered_json solve_json(const std::vector<SolveReport>& solves);
 nlohmann::ordered_json uniqueness_json(const MoveResult& move); ///< null when it was not asked for
 nlohmann::ordered_json retraction_json(const RetractionReport& retraction);
+/// The word for a role in statistics and on pages.
+const char* role_word(InnerLineRole role);
 nlohmann::ordered_json inner_lines_json(const std::vector<InnerLine>& lines);
 nlohmann::ordered_json exact_surface_json(const ExactSurfaceReport& exact);
 

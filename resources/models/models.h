@@ -23,4 +23,8 @@ TopoDS_Shape bracket();
 /// The crease-slide panel, 800 × 600 mm with a 12° crease along y = 0, as 3 × 2 patches that share no edge.
 TopoDS_Shape panel();
 
+/// A door skin, 1000 × 600 mm, crowned both ways: a sharp shoulder line along y = 0, a fainter line bent like a bow some
+/// 130 mm above it, and a seam at x = 60 that crosses both. Six faces.
+TopoDS_Shape door();
+
 } // namespace tapeline::models

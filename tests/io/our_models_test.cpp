@@ -188,6 +188,31 @@ TEST(OurModels, PanelIsSewnFromSixPatchesAlongATwelveDegreeCrease)
     EXPECT_NEAR(crease, 800, 5);
 }
 
+TEST(OurModels, DoorHasTwoLinesAndASeamThatCrossesBoth)
+{
+    const ImportedModel door = import("door.step");
+    EXPECT_EQ(door.report.cad_faces, 6);
+    EXPECT_EQ(component_count(door.model.mesh), 1);
+    double shoulder = 0, upper = 0, seam = 0;
+    for (const SharpEdge& edge : creases(door.model)) {
+        const double x = edge.middle.x(), y = edge.middle.y();
+        if (std::abs(y) < 1e-6) {
+            shoulder += edge.length;
+            EXPECT_NEAR(edge.angle, 14, 0.5);
+        } else if (std::abs(x - 60) < 1e-6) {
+            seam += edge.length;
+            EXPECT_NEAR(edge.angle, 12, 0.7);
+        } else {
+            upper += edge.length;
+            EXPECT_NEAR(y, 130 + x * x / 9000, 0.1);
+            EXPECT_NEAR(edge.angle, 12, 0.7);
+        }
+    }
+    EXPECT_NEAR(shoulder, 1015, 10);
+    EXPECT_NEAR(upper, 1018, 10);
+    EXPECT_NEAR(seam, 620, 5);
+}
+
 TEST(OurModels, ComeOutOfTheirProgramByteForByte)
 {
     const ScratchFolder folder;
@@ -195,7 +220,7 @@ TEST(OurModels, ComeOutOfTheirProgramByteForByte)
         const std::string command = fmt::format("{} {}", TAPELINE_MAKE_MODELS, (folder / run).string());
         ASSERT_EQ(std::system(command.c_str()), 0);
     }
-    for (const char* name : {"hood.step", "wheel_arch.step", "pawn.step", "bracket.step", "panel.step"}) {
+    for (const char* name : {"hood.step", "wheel_arch.step", "pawn.step", "bracket.step", "panel.step", "door.step"}) {
         const auto one = read_file_content((folder / "one") / name), two = read_file_content((folder / "two") / name);
         const auto committed = read_file_content(model_path(name));
         ASSERT_TRUE(one && two && committed);

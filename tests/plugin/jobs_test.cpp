@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Job, OurSlides,
 INSTANTIATE_TEST_SUITE_P(Job, OurJobs,
                          ::testing::Values("hood.json", "panel.json", "wheel_arch.json", "pawn.json", "bracket.json",
                                            "hood_above.json", "hood_pull.json", "hood_zigzag.json",
-                                           "hood_open_end.json"),
+                                           "hood_open_end.json", "door.json"),
                          stem);
 
 } // namespace

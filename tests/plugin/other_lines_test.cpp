@@ -146,5 +146,35 @@ TEST(InnerLinesOfAJob, OfTheFandiskStayInTheirPlaceWhereTheSurfaceMakesRoom)
     EXPECT_GT(sliding, 0);
 }
 
+TEST(InnerLinesOfAJob, AreKeptOnTheDoorAndTheComparisonSaysWhoLosesThem)
+{
+    const TemporaryFolder folder;
+    nlohmann::json job = nlohmann::json::parse(read_text(TAPELINE_SOURCE_DIR "/resources/jobs/door.json"));
+    job.erase("$schema");
+    job.erase("outputs");
+    job["input"] = TAPELINE_SOURCE_DIR "/resources/models/door.step";
+    job["remesh"] = {{"max_edge", 25}};
+    folder.write("job.json", job.dump());
+    const CommandRun run = run_tapeline({"compare", (folder / "job.json").string(), "-o", (folder / "out").string(),
+                                         "--methods", "plate-fl,asan-fl-paper", "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto result = nlohmann::json::parse(read_text(folder / "out/compare.json"));
+    int stayed = 0;
+    for (const auto& line : result["methods"][0]["inner_lines"]) {
+        EXPECT_NEAR(line["crease_after"].get<double>(), line["crease_before"].get<double>(), 0.5) << line.dump();
+        if (line["role"] == "slides") {
+            ++stayed;
+            EXPECT_LT(line["off_line_mm"], 0.05) << line.dump();
+        }
+    }
+    EXPECT_EQ(stayed, 2) << "the upper line, and the seam above the line that moves";
+    double worst = 0; // the published method drags them along
+    for (const auto& line : result["methods"][1]["inner_lines"]) {
+        worst = std::max(worst, std::abs(line["crease_after"].get<double>() - line["crease_before"].get<double>()));
+    }
+    EXPECT_GT(worst, 2);
+    EXPECT_NE(read_text(folder / "out/compare.html").find("Other lines"), std::string::npos);
+}
+
 } // namespace
 } // namespace tapeline::testing
