@@ -5,11 +5,12 @@ import subprocess
 import time
 import unittest
 import zipfile
+from unittest import mock
 
 import FreeCAD as App
 import numpy as np
 import Part
-from common import HOOD, LINE, PANEL, SLIDE, InADocument
+from common import HOOD, LINE, PANEL, SLIDE, InADocument, Printed
 
 from freecad.tapeline import api, arrays, engine, models
 
@@ -107,6 +108,25 @@ class Errors(InADocument):
         move.Line = "0"
         self.document.recompute()
         self.assertNotIn("Invalid", move.State)
+
+    def test_a_failing_object_prints_its_sentence_and_nothing_else_of_ours(self):
+        model = api.import_model(PANEL, self.document)
+        move = api.move(api.target_line(model, slide=SLIDE))
+        move.Label, move.Line = "Roof line", "9"
+        with Printed() as printed:
+            self.document.recompute()
+        said = printed.sentences()
+        self.assertEqual(len(said), 1, printed.text)
+        self.assertRegex(said[0], r"^Tapeline: Roof line: There is no line 9: .*\.$")
+
+    def test_a_fault_of_the_program_keeps_its_traceback(self):
+        model = api.import_model(PANEL, self.document)
+        with mock.patch.object(models, "load", side_effect=ZeroDivisionError("a fault")), Printed() as printed:
+            model.touch()
+            self.document.recompute()
+        self.assertIn("in compute", printed.text)
+        self.assertIn("ZeroDivisionError", printed.text)
+        self.assertIn("Invalid", model.State)
 
     def test_a_missing_module_is_said_in_a_sentence(self):
         known, engine._module = engine._module, None

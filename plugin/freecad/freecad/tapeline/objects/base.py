@@ -1,9 +1,39 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What all document objects have in common."""
+import sys
+
 import FreeCAD as App
 
 from .. import engine, worker
-from ..text import complain, sentence_of, translate
+from ..text import sentence_of, translate
+
+
+class _Named(type):
+    """Lets a class say who speaks where FreeCAD prints the type of an exception."""
+
+    def __str__(cls):
+        return cls.speaker
+
+
+class Complaint(RuntimeError, metaclass=_Named):
+    """What `execute` raises for its one sentence. FreeCAD marks the object in the tree, takes the sentence as its
+    status, and prints traceback, type and text of whatever was raised. Here these are nothing, "Tapeline: LABEL" and the
+    sentence: a traceback is no help where nothing is wrong with the program. Exceptions that are faults of the program
+    are left as they are, with their traceback."""
+
+    speaker = "Tapeline"
+
+    def __init__(self, label, sentence):
+        super().__init__(sentence)
+        type(self).speaker = "Tapeline: " + label
+        self._limit = getattr(sys, "tracebacklimit", None)
+        sys.tracebacklimit = 0  # until FreeCAD has printed this exception and lets it go
+
+    def __del__(self):
+        if self._limit is not None:
+            sys.tracebacklimit = self._limit
+        else:
+            vars(sys).pop("tracebacklimit", None)
 
 
 class Unsaved:
@@ -40,15 +70,14 @@ class Proxy(Unsaved):
             self.add_properties(obj)
 
     def execute(self, obj):
-        """FreeCAD's recompute. Errors become one sentence in the report view and the object's error state."""
+        """FreeCAD's recompute. An error becomes one sentence in the report view and the object's error state."""
         try:
             self.compute(obj)
         except engine.errors() as error:
             sentence = sentence_of(error)
             if worker.cancelled(error):
                 sentence = translate("Tapeline", "The computation was cancelled; recompute to do it after all.")
-            complain(f"{obj.Label}: {sentence}")
-            raise RuntimeError(sentence) from None
+            raise Complaint(obj.Label, sentence) from None
 
     def compute(self, obj):
         """The object's own work."""
