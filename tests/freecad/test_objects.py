@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The document objects, without a window."""
+import re
 import unittest
 
 import FreeCAD as App
 import numpy as np
 import Part
-from common import HOOD, PANEL, SLIDE, InADocument
+from common import HOOD, PANEL, SLIDE, InADocument, run_command
 
 from freecad.tapeline import api, arrays, engine, properties
 
@@ -32,6 +33,16 @@ class Objects(InADocument):
                     self.assertEqual(move.getEnumerationsOfProperty(name), option["choices"])
         self.assertEqual(str(move.CreaseAngle.Unit), str(App.Units.Unit("deg")))
         self.assertEqual(str(move.RoiDistance.Unit), str(App.Units.Unit("mm")))
+
+    def test_every_option_of_the_command_move_is_a_property_of_model_target_or_move(self):
+        target = api.target_line(api.import_model(PANEL, self.document))
+        move = api.create_move(self.document, target)
+        there = set(target.Model.PropertiesList) | set(target.PropertiesList) | set(move.PropertiesList)
+        text = run_command("move", "--help").stdout.partition("What is written")[0]
+        flags = [flag.replace("-", "_") for flag in re.findall(r"^  --([a-z-]+)", text, re.MULTILINE)]
+        self.assertGreater(len(flags), 40)
+        said_by_hand = {"edit"}  # control points are dragged: the target's Offsets
+        self.assertEqual([flag for flag in flags if properties.property_name(flag) not in there], sorted(said_by_hand))
 
     def test_a_move_puts_its_line_on_the_target_in_doubles(self):
         model = api.import_model(PANEL, self.document)

@@ -100,7 +100,7 @@ class Commands(unittest.TestCase):
         panel = Panel.open_panel
         vertex = int(np.argmin(np.linalg.norm(np.asarray(panel.engine_model.vertices)
                                               - np.array([0.0, 60.0, 0.0]), axis=1)))
-        panel.pin.setChecked(True)
+        panel.mode.setCurrentIndex(panel.mode.findData("pin"))
         window.click(Projection(window.view(), window.viewport()).pixel(panel.engine_model.vertices[vertex]))
         idle()
         self.assertEqual(panel.fixed, {vertex})

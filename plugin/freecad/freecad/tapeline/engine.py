@@ -4,7 +4,7 @@ import importlib
 import os
 import sys
 
-from . import FOLDER, settings
+from . import SOURCE, settings
 from .text import translate
 
 _module = None
@@ -17,11 +17,10 @@ class EngineMissing(Exception):
 def candidate_folders():
     """Where the module may lie beside Python's own folders: the preference, the environment, a build next to the
     addon (for one that is linked from a source folder), and the place where `cmake --install` puts both."""
-    source = os.path.abspath(os.path.join(os.path.realpath(FOLDER), *[os.pardir] * 4))
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"
-    prefix = os.path.abspath(os.path.join(source, os.pardir, os.pardir, os.pardir))
+    prefix = os.path.abspath(os.path.join(SOURCE, os.pardir, os.pardir, os.pardir))
     folders = [settings.module_folder(), os.environ.get("TAPELINE_MODULE_FOLDER", "")]
-    folders += [os.path.join(source, "build", preset, "python") for preset in ("release", "dev")]
+    folders += [os.path.join(SOURCE, "build", preset, "python") for preset in ("release", "dev")]
     for library in ("lib", "lib64"):
         folders += [os.path.join(prefix, library, *tail)
                     for tail in (("python3", "dist-packages"), (version, "site-packages"), (version, "dist-packages"))]

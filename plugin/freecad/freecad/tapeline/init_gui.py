@@ -2,8 +2,12 @@
 """Registers the workbench with FreeCAD's window; everything heavy is imported when it is first used."""
 import FreeCADGui as Gui
 
-from . import ICONS, PREFERENCES_PAGE, TRANSLATIONS, icon
+from . import ICONS, PREFERENCES_PAGE, icon, translation_folders
 from .text import QT_TRANSLATE_NOOP, complain, translate
+
+for folder in translation_folders():
+    Gui.addLanguagePath(folder)
+Gui.updateLocale()
 
 
 class TapelineWorkbench(Gui.Workbench):
@@ -42,7 +46,5 @@ class TapelineWorkbench(Gui.Workbench):
 
 
 Gui.addIconPath(ICONS)
-Gui.addLanguagePath(TRANSLATIONS)
-Gui.updateLocale()
 Gui.addPreferencePage(PREFERENCES_PAGE, QT_TRANSLATE_NOOP("QObject", "Tapeline"))
 Gui.addWorkbench(TapelineWorkbench())

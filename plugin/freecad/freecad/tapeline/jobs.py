@@ -17,6 +17,14 @@ def save_job(move, path, description=""):
     NAME_model.*. Running it writes NAME_moved.obj, NAME_moved.stl and NAME_stats.json. Nothing is written where the
     move is incomplete. Returns the names of the files."""
     order = solving.order_of(move)
+    try:
+        return _save_order(order, path, description or move.Label)
+    except OSError as error:
+        raise engine.UserError(translate("Tapeline", "The job '{}' cannot be written: {}.").format(path, error)) \
+            from None
+
+
+def _save_order(order, path, description):
     folder, stem = os.path.dirname(os.path.abspath(path)), os.path.splitext(os.path.basename(path))[0]
     model_name = _write_model(order.source, folder, stem)
     target_name = stem + "_target.json"
@@ -24,7 +32,7 @@ def save_job(move, path, description=""):
     job = properties.sections_of({**order.source.keys, **order.line_keys, **order.keys})
     job.setdefault("lines", {})["line"] = order.line
     job.setdefault("target", {})["target"] = target_name
-    job.update(input=model_name, description=description or move.Label,
+    job.update(input=model_name, description=description,
                outputs={"out": [stem + "_moved.obj", stem + "_moved.stl"], "stats": stem + "_stats.json"})
     with open(path, "w", encoding="utf-8") as file:
         json.dump(job, file, indent=2, ensure_ascii=False)

@@ -3,6 +3,7 @@
 thread; reading it may then happen in any thread."""
 import os
 import tempfile
+import threading
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,6 +13,7 @@ from .memory import Memory
 from .text import translate
 
 _read = Memory(6)
+_reading = threading.Lock()  # or two threads that need one model would both read it
 
 
 @dataclass
@@ -75,21 +77,22 @@ def _source_of_object(base, keys):
                                      "or a Mesh object.").format(base.Label))
 
 
-def load(source):
+def load(source, progress=None, cancel=None):
     """The engine's model of a source; the last few are kept. Arrays pass through a file, so that a job file on such a
     file gives the same bytes."""
-    known = _read.get(source.digest)
-    if known is not None:
-        return known
+    with _reading:
+        known = _read.get(source.digest)
+        return known if known is not None else _read.keep(source.digest, _read_anew(source, progress, cancel))
+
+
+def _read_anew(source, progress, cancel):
     tapeline = engine.module()
     if source.is_file:
-        model = tapeline.Model.read(source.path, **source.keys)
-    else:
-        with tempfile.TemporaryDirectory(prefix="tapeline_") as folder:
-            path = os.path.join(folder, "model.obj")
-            source.write_mesh(path)
-            model = tapeline.Model.read(path)
-    return _read.keep(source.digest, model)
+        return tapeline.Model.read(source.path, progress=progress, cancel=cancel, **source.keys)
+    with tempfile.TemporaryDirectory(prefix="tapeline_") as folder:
+        path = os.path.join(folder, "model.obj")
+        source.write_mesh(path)
+        return tapeline.Model.read(path, progress=progress, cancel=cancel)
 
 
 def line_of(model, selector, line_keys):
@@ -100,8 +103,8 @@ def line_of(model, selector, line_keys):
         return model.line_through(_vertices_in(selector), **line_keys)
     lines = model.feature_lines(**line_keys)
     if int(number) >= len(lines):
-        raise engine.UserError(translate("Tapeline", "There is no line {}: the model has {} feature lines at these "
-                                         "crease angles, numbered from 0.").format(number, len(lines)))
+        raise engine.UserError(translate("Tapeline", "There is no line {}: the model's feature lines at these "
+                                         "crease angles are {}, counted from 0.").format(number, len(lines)))
     line = lines[int(number)]
     if not part:
         return line

@@ -1,36 +1,89 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A move while it is being edited: previews and exact results from one engine Editor."""
+"""A move while it is being edited: previews and exact results from the engine's Editors.
+
+An Editor must be prepared before it can follow a drag; on a CAD model that means even triangles around the line first.
+`warm` begins that as soon as line and region are known, `MoveSession` goes on with it, and until it is done previews
+come from a second Editor on the triangles that are there already, whose preparation is a tenth of that."""
 import threading
 
-from . import engine, solving
+from . import engine, solving, worker
 from .memory import Memory
 
 
+class Held:
+    """An Editor, and whether it is prepared. One thread prepares; others wait for it."""
+
+    def __init__(self, order):
+        self.editor = engine.module().Editor(order.model(), order.feature_line(), **order.keys)
+        self.ready = False
+        self._lock = threading.Lock()
+
+    def prepare(self, order, progress=None, cancel=None):
+        while not self._lock.acquire(timeout=0.05):
+            if cancel is not None and cancel.is_set():
+                raise engine.module().Cancelled("cancelled")
+        try:
+            if not self.ready:
+                self.editor.start(order.target(), progress=progress, cancel=cancel)
+                self.ready = True
+        finally:
+            self._lock.release()
+
+
+_held = Memory(3)
+_making = threading.Lock()
+_warming = None
+
+
+def _held_for(order):
+    """The Editor for all that an order says but its curve."""
+    key = order.with_curve("").digest
+    with _making:
+        return _held.get(key) or _held.keep(key, Held(order))
+
+
+def warm(order):
+    """Begins to prepare the previews of a move that is likely to come; gives way to the next order."""
+    global _warming
+    if _warming is not None:
+        _warming.cancel()
+    _warming = worker.Task(lambda progress, cancel: _held_for(order).prepare(order, progress, cancel))
+
+
+def is_warm(order):
+    """Whether previews of this order come from an Editor that is prepared."""
+    held = _held.get(order.with_curve("").digest)
+    return held is not None and held.ready
+
+
+def coarse(order):
+    """The order on the triangles that are there, or None where it asks for no others."""
+    asked = order.keys.get("remesh", "auto")
+    remeshes = asked == "on" or asked == "auto" and (order.model().has_surfaces or "max_edge" in order.keys)
+    return order.with_curve(order.curve, remesh="off", max_edge=None) if remeshes else None
+
+
 class MoveSession:
-    """Answers orders from several threads. The engine's Editor keeps what a drag can use again, and its previews start
-    at what it solved last; it is made anew only where something else than the target changed."""
+    """Answers orders from several threads. An Editor keeps what a drag can use again, and its previews start at what it
+    solved last; another is made only where something else than the target changed."""
 
-    def __init__(self):
-        self._making = threading.Lock()
-        self._editors = Memory(1)
-
-    def _editor_for(self, order):
-        base = order.with_curve("").digest
-        with self._making:
-            editor = self._editors.get(base)
-            if editor is None:
-                editor = engine.module().Editor(order.model(), order.feature_line(), **order.keys)
-                self._editors.keep(base, editor)
-            return editor
+    def prepare(self, order, progress=None, cancel=None):
+        """Makes good previews of an order possible."""
+        _held_for(order).prepare(order, progress, cancel)
 
     def preview(self, order, budget_ms, progress=None, cancel=None):
-        """The engine's preview within a time budget; the first one prepares and takes longer."""
-        return self._editor_for(order).preview(order.target(), budget_ms, progress=progress, cancel=cancel)
+        """The engine's preview within a time budget, and whether it stands on the move's own triangles."""
+        rough = None if is_warm(order) else coarse(order)
+        held = _held_for(rough or order)
+        held.prepare(rough or order, progress, cancel)
+        return held.editor.preview(order.target(), budget_ms, progress=progress, cancel=cancel), rough is None
 
     def solve(self, order, progress=None, cancel=None):
         """The exact result, the same as the document object computes."""
         known = solving.results.get(order.digest)
         if known is not None:
             return known
-        result = self._editor_for(order).solve(order.target(), progress=progress, cancel=cancel)
+        held = _held_for(order)
+        held.prepare(order, progress, cancel)
+        result = held.editor.solve(order.target(), progress=progress, cancel=cancel)
         return solving.results.keep(order.digest, result)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How our document objects look in the tree and the 3D view."""
+import FreeCAD as App
+
 from . import icon
 from .objects.base import Unsaved, kind_of
 
@@ -72,6 +74,16 @@ COLOURS = {"lines": (0.0, 0.25, 0.75), "target": (0.85, 0.1, 0.1)}
 SURFACE_COLOUR = (0.80, 0.82, 0.86)
 
 
+def _colour_surface(view, colour):
+    """FreeCAD 1.0 has materials in place of the one colour."""
+    if hasattr(view, "ShapeColor"):
+        view.ShapeColor = colour
+    else:
+        material = App.Material()
+        material.DiffuseColor = (*colour, 1.0)
+        view.ShapeAppearance = (material,)
+
+
 def attach(obj):
     """Gives a new object its look."""
     view, kind = obj.ViewObject, kind_of(obj)
@@ -82,6 +94,6 @@ def attach(obj):
         view.PointSize = 1.0
         view.DrawStyle = "Solid"
     elif kind in ("model", "move"):
-        view.ShapeColor = SURFACE_COLOUR
+        _colour_surface(view, SURFACE_COLOUR)
         view.Lighting = "Two side"
         view.DisplayMode = "Shaded"

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Long computations off the window's thread: cancellable, and only the newest request counts."""
+import atexit
 import threading
 import time
+import weakref
 
 import FreeCAD as App
 
@@ -9,6 +11,8 @@ from . import engine
 from .text import translate
 
 POLL_MILLISECONDS = 15
+
+_running = weakref.WeakSet()
 
 
 class Task:
@@ -23,6 +27,7 @@ class Task:
         self.error = None
         self._work = work
         self._thread = threading.Thread(target=self._run, daemon=True)
+        _running.add(self)
         self._thread.start()
 
     def _progress(self, fraction, stage=""):
@@ -38,9 +43,21 @@ class Task:
     def cancel(self):
         self.cancelled.set()
 
+    def join(self, seconds):
+        self._thread.join(seconds)
+
     @property
     def running(self):
         return self._thread.is_alive()
+
+
+@atexit.register
+def stop_all(seconds=3.0):
+    """No computation outlives the program: the engine would find its memory gone."""
+    for task in list(_running):
+        task.cancel()
+    for task in list(_running):
+        task.join(seconds)
 
 
 class Latest:

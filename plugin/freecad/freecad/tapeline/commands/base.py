@@ -4,7 +4,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import engine, icon
-from ..text import complain, sentence_of, translate
+from ..text import complain, sentence_of
 
 
 def show_sentence(sentence, title=""):
@@ -31,7 +31,8 @@ def guarded(action):
 
 
 class Command:
-    """A command of the workbench. `needs_document` greys it out without one; `open` does the work and may raise."""
+    """A command of the workbench. FreeCAD translates its texts, with the command's name as their context, again when the
+    language changes. `needs_document` greys it out without one; `open` does the work and may raise."""
 
     name = ""
     icon_name = ""
@@ -41,8 +42,7 @@ class Command:
     needs_document = True
 
     def GetResources(self):  # noqa: N802 (FreeCAD's names)
-        resources = {"Pixmap": icon(self.icon_name), "MenuText": translate(self.name, self.menu_text),
-                     "ToolTip": translate(self.name, self.tooltip)}
+        resources = {"Pixmap": icon(self.icon_name), "MenuText": self.menu_text, "ToolTip": self.tooltip}
         if self.shortcut:
             resources["Accel"] = self.shortcut
         return resources

@@ -6,14 +6,14 @@ import FreeCADGui as Gui
 from .. import engine
 from ..objects import is_a, kind_of
 from ..objects.line_set import number_of_edge
-from ..text import translate
+from ..text import QT_TRANSLATE_NOOP, translate
 
 WORDS = {
-    "model": translate("Tapeline", "a styling model (Tapeline > Import styling model)"),
-    "lines": translate("Tapeline", "feature lines (Tapeline > Find feature lines)"),
-    "target": translate("Tapeline", "a target line (Tapeline > Target line)"),
-    "region": translate("Tapeline", "a region (Tapeline > Region)"),
-    "move": translate("Tapeline", "a move (Tapeline > Move feature line)"),
+    "model": QT_TRANSLATE_NOOP("Tapeline", "a styling model (Tapeline > Import styling model)"),
+    "lines": QT_TRANSLATE_NOOP("Tapeline", "feature lines (Tapeline > Find feature lines)"),
+    "target": QT_TRANSLATE_NOOP("Tapeline", "a target line (Tapeline > Target line)"),
+    "region": QT_TRANSLATE_NOOP("Tapeline", "a region (Tapeline > Region)"),
+    "move": QT_TRANSLATE_NOOP("Tapeline", "a move (Tapeline > Move feature line)"),
 }
 
 
@@ -35,7 +35,7 @@ def required(*kinds):
     found = of_kind(*kinds)
     if found is None:
         raise engine.UserError(translate("Tapeline", "This needs {}; select one, or make one first.")
-                               .format(WORDS[kinds[0]]))
+                               .format(translate("Tapeline", WORDS[kinds[0]])))
     return found
 
 

@@ -2,7 +2,7 @@
 """The feature lines of a model, numbered, each one edge to pick."""
 import Part
 
-from .. import curves, engine, models, properties
+from .. import curves, engine, models, properties, worker
 from ..text import translate
 from .base import Proxy, create, property_if_missing
 
@@ -22,8 +22,9 @@ class FeatureLines(Proxy):
         if obj.Model is None:
             raise engine.UserError(translate("Tapeline", "'{}' has no model: choose one for its property Model.")
                                    .format(obj.Label))
-        lines = find(models.load(models.source_of(obj.Model)), line_keys(obj))
-        show(obj, lines)
+        source, keys = models.source_of(obj.Model), line_keys(obj)
+        show(obj, worker.run(lambda progress, cancel: find(models.load(source, progress, cancel), keys),
+                             translate("Tapeline", "Finding the lines of '{}'").format(obj.Model.Label)))
 
 
 def show(obj, lines):

@@ -3,7 +3,7 @@
 import json
 import os
 
-from .. import arrays, engine, models, properties
+from .. import arrays, engine, models, properties, worker
 from ..text import inform, translate, warn
 from .base import Proxy, create, property_if_missing
 
@@ -28,7 +28,9 @@ class StylingModel(Proxy):
         properties.add(obj, ["import"])
 
     def compute(self, obj):
-        model = models.load(models.source_of(obj))
+        source = models.source_of(obj)
+        model = worker.run(lambda progress, cancel: models.load(source, progress, cancel),
+                           translate("Tapeline", "Reading '{}'").format(obj.Label))
         obj.Mesh = arrays.display_mesh(model.vertices, model.faces)
         obj.VertexCount, obj.TriangleCount = len(model.vertices), len(model.faces)
         report = dict(model.report)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The region that follows a move: a band, bounding lines, CAD faces or a box, with vertices and faces that stay."""
-from .. import curves, engine, models, properties
+from .. import engine, properties, solving, worker
 from ..text import translate
 from .base import Proxy, create, property_if_missing
 
@@ -19,9 +19,8 @@ class MoveRegion(Proxy):
         if obj.Target is None:
             raise engine.UserError(translate("Tapeline", "'{}' has no target line: choose one for its property Target.")
                                    .format(obj.Label))
-        model = models.load(models.source_of(obj.Target.Model))
-        line = models.line_of(model, obj.Target.Line, properties.keys(obj.Target, ["lines"]))
-        region = model.region(line, curves.curve_of(obj.Target), **properties.keys(obj, ["region"]))
+        region = worker.run(solving.order_for(obj.Target, obj).place,
+                            translate("Tapeline", "Choosing '{}'").format(obj.Label))
         obj.VertexCount, obj.TriangleCount = len(region.vertices), len(region.faces)
 
 

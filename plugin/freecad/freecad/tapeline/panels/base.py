@@ -6,11 +6,12 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import engine, icon, worker
-from ..text import complain, sentence_of, translate
+from ..text import QT_TRANSLATE_NOOP, complain, sentence_of, translate
 
 
 class Panel:
-    """A task panel. Subclasses fill `self.rows` and override `apply`, which may raise a sentence."""
+    """A task panel. Subclasses fill `self.rows` and override `apply`, which may raise a sentence. `title` is marked for
+    translation, `heading` is translated."""
 
     title = ""
     icon_name = "tapeline"
@@ -20,7 +21,8 @@ class Panel:
         Panel.open_panel = self
         self.document = document
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(self.title)
+        self.heading = translate("Tapeline", self.title)
+        self.form.setWindowTitle(self.heading)
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         column = QtGui.QVBoxLayout(self.form)
         self.rows = QtGui.QFormLayout()
@@ -205,4 +207,27 @@ def default_name(obj, ending):
     return "".join(c if c.isalnum() or c in "-_ " else "_" for c in obj.Label).strip() + ending
 
 
-AUTOMATIC = translate("Tapeline", "automatic")
+def automatic():
+    """What a box shows for the value that lets the engine choose."""
+    return translate("Tapeline", "automatic")
+
+
+# Choices of options that have a plainer name than the engine's word for them.
+_CHOICES = {
+    "auto": QT_TRANSLATE_NOOP("Tapeline", "automatic"),
+    "on-surface": QT_TRANSLATE_NOOP("Tapeline", "on the surface"),
+    "off-surface": QT_TRANSLATE_NOOP("Tapeline", "off the surface"),
+    "left": QT_TRANSLATE_NOOP("Tapeline", "left"),
+    "right": QT_TRANSLATE_NOOP("Tapeline", "right"),
+    "free": QT_TRANSLATE_NOOP("Tapeline", "free"),
+    "keep": QT_TRANSLATE_NOOP("Tapeline", "kept"),
+}
+
+
+def choice_box(option, value=None):
+    """A list of an option's choices, in words."""
+    words = [(choice, translate("Tapeline", _CHOICES[choice]) if choice in _CHOICES else choice)
+             for choice in option["choices"]]
+    box = combo(words, value if value is not None else option["default"])
+    box.setObjectName(option["name"])
+    return box

@@ -8,14 +8,14 @@ from ..objects import kind_of
 from ..scene import colours
 from ..scene.overlay import SurfaceOverlay
 from ..scene.sections import SectionCombs
-from ..text import translate
+from ..text import QT_TRANSLATE_NOOP, translate
 from .base import Panel, SavedVisibility, buttons, combo
 
 PLAIN, ZEBRA, GAUSS, MEAN, DISTANCE, MOVED = "plain", "zebra", "gauss", "mean", "distance", "displacement"
 
 
 class CheckPanel(Panel):
-    title = translate("Tapeline", "Check surface")
+    title = QT_TRANSLATE_NOOP("Tapeline", "Check surface")
     icon_name = "check"
 
     def __init__(self, move):

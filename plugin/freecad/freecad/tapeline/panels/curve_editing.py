@@ -83,10 +83,11 @@ class CurveEditing:
 
 def mode_box(editing):
     """The choice of how a drag moves a control point."""
-    box = combo([(handles.SURFACE, translate("Tapeline", "along the surface")),
-                 (handles.VIEW, translate("Tapeline", "in the plane of the view")),
-                 (handles.NORMAL, translate("Tapeline", "along the surface's normal"))])
-    box.setToolTip(translate("Tapeline", "In which direction the mouse moves a control point"))
+    box = combo([(handles.SURFACE, translate("Tapeline", "along surface")),
+                 (handles.VIEW, translate("Tapeline", "in view plane")),
+                 (handles.NORMAL, translate("Tapeline", "along normal"))])
+    box.setToolTip(translate("Tapeline", "How the mouse moves a control point: along the surface, in the "
+                             "plane of the view, or along the surface's normal"))
     box.currentIndexChanged.connect(lambda *_: setattr(editing.handles, "mode", box.currentData()))
     return box
 

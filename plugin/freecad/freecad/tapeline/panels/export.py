@@ -5,13 +5,13 @@ import os
 from PySide import QtGui
 
 from .. import engine, jobs, solving, worker
-from ..text import inform, translate
+from ..text import QT_TRANSLATE_NOOP, inform, translate
 from .base import Panel, button, default_name, row
 from .files import ask_save_name
 
 
 class ExportPanel(Panel):
-    title = translate("Tapeline", "Export")
+    title = QT_TRANSLATE_NOOP("Tapeline", "Export")
     icon_name = "export"
 
     def __init__(self, move):
@@ -32,7 +32,7 @@ class ExportPanel(Panel):
         line = QtGui.QLineEdit()
 
         def browse():
-            path = ask_save_name(self.title, name, pattern, ending)
+            path = ask_save_name(self.heading, name, pattern, ending)
             if path:
                 line.setText(path)
 

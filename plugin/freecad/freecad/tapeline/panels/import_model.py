@@ -6,8 +6,8 @@ from PySide import QtGui
 
 from .. import api, engine, properties
 from ..objects.model import CAD_ENDINGS, MESH_ENDINGS
-from ..text import translate
-from .base import AUTOMATIC, Panel, button, combo, number, row
+from ..text import QT_TRANSLATE_NOOP, translate
+from .base import Panel, automatic, button, combo, number, row
 from .files import ask_open_name
 
 
@@ -16,7 +16,7 @@ def _option(name):
 
 
 class ImportPanel(Panel):
-    title = translate("Tapeline", "Import styling model")
+    title = QT_TRANSLATE_NOOP("Tapeline", "Import styling model")
     icon_name = "import"
 
     def __init__(self, source=None):
@@ -44,14 +44,14 @@ class ImportPanel(Panel):
         option = _option(name)
         box = number(option["default"], option["minimum"], option.get("maximum") or 1e6, 4, suffix)
         if option.get("zero"):
-            box.setSpecialValueText(AUTOMATIC)
+            box.setSpecialValueText(automatic())
         box.setToolTip(properties.tooltip(option))
         self.rows.addRow(label, box)
         return box
 
     def _browse(self):
         endings = " ".join("*" + ending + " *" + ending.upper() for ending in CAD_ENDINGS + MESH_ENDINGS)
-        path = ask_open_name(self.title, translate("Tapeline", "Models ({})").format(endings))
+        path = ask_open_name(self.heading, translate("Tapeline", "Models ({})").format(endings))
         if path:
             self.path.setText(path)
 
@@ -65,5 +65,6 @@ class ImportPanel(Panel):
         if self.source is not None:
             self.source.ViewObject.Visibility = False
         Gui.Selection.clearSelection()
-        Gui.getDocument(self.model.Document.Name).activeView().viewIsometric()
-        Gui.SendMsgToActiveView("ViewFit")
+        view = Gui.getDocument(self.model.Document.Name).activeView()
+        view.viewIsometric()
+        view.fitAll()

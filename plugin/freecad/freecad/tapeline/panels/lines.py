@@ -6,14 +6,14 @@ from PySide import QtCore, QtGui
 from .. import api, models, properties
 from ..objects import line_set
 from ..scene.line_preview import LinePreview
-from ..text import translate
+from ..text import QT_TRANSLATE_NOOP, translate
 from .base import Panel, SavedVisibility, number
 
 STEPS = 10  # slider positions a degree
 
 
 class LinesPanel(Panel):
-    title = translate("Tapeline", "Find feature lines")
+    title = QT_TRANSLATE_NOOP("Tapeline", "Find feature lines")
     icon_name = "lines"
 
     def __init__(self, model=None, lines=None):
@@ -89,7 +89,7 @@ class LinesPanel(Panel):
         if self.lines_object is None:
             self.lines_object = api.find_lines(self.model, **keys)
         else:
-            with api.transaction(self.document, self.title):
+            with api.transaction(self.document, self.heading):
                 properties.assign(self.lines_object, keys)
                 api.computed(self.lines_object)
         Gui.Selection.clearSelection()

@@ -6,24 +6,23 @@ import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from .. import api, arrays, models, properties, settings, solving, worker
+from .. import api, arrays, models, properties, session, settings, solving, worker
 from ..objects import kind_of
 from ..objects import move as moves
 from ..objects import target as targets
 from ..scene import colours
 from ..scene.overlay import SurfaceOverlay
 from ..session import MoveSession
-from ..text import translate
-from .base import AUTOMATIC, Panel, SavedVisibility, button, buttons, combo, number, row, wrapped
+from ..text import QT_TRANSLATE_NOOP, sentence_of, translate
+from .base import Panel, SavedVisibility, automatic, button, buttons, choice_box, number, row, wrapped
 from .curve_editing import CurveEditing, mode_box, prepared
 from .strip import QualityStrip
-
 
 PATIENCE = 5  # times the budget, for a preview that measures
 
 
 class MovePanel(Panel):
-    title = translate("Tapeline", "Move feature line")
+    title = QT_TRANSLATE_NOOP("Tapeline", "Move feature line")
     icon_name = "move"
 
     def __init__(self, target=None, region=None, move=None):
@@ -36,9 +35,14 @@ class MovePanel(Panel):
         self.order = self._order_of_document()
         self.session = MoveSession()
         self.solver = worker.Latest(self.form)
-        self.solver.on_progress = self.show_progress
+        self.preparer = worker.Latest(self.form)
+        for background in (self.solver, self.preparer):
+            background.on_progress = self.show_progress
         self.result = None
         self.applied = False
+        self.refusal = ""       # why the move cannot be prepared
+        self.following = False  # previews have begun
+        self.latency = None     # of the last preview [s]
         self._patient = False
         self.dragged = False  # since the panel opened
         self.overlay = self.decorate(SurfaceOverlay(self.view))
@@ -64,18 +68,18 @@ class MovePanel(Panel):
         self.verdict.setWordWrap(True)
         self.rows.addRow(self.verdict)
         self.boxes = {}
-        for name, label in (("placement", translate("Tapeline", "Line stays")),
+        for name, label in (("placement", translate("Tapeline", "The line lies")),
                             ("compressed_side", translate("Tapeline", "Gives way")),
+                            ("crease", translate("Tapeline", "Crease angle")),
                             ("method", translate("Tapeline", "Method"))):
             option = properties.option(name)
-            box = combo(option["choices"], keys.get(name, option["default"]))
-            box.setObjectName(name)
+            box = choice_box(option, keys.get(name))
             box.setToolTip(properties.tooltip(option))
             box.currentIndexChanged.connect(lambda *_: self._options_changed())
             self.boxes[name] = box
             self.rows.addRow(label, box)
         self.distance = number(keys.get("roi_distance", 0), 0, 1e5, 1, " mm", 10)
-        self.distance.setSpecialValueText(AUTOMATIC)
+        self.distance.setSpecialValueText(automatic())
         self.distance.valueChanged.connect(lambda *_: self._options_changed())
         if self.region is None:
             self.rows.addRow(translate("Tapeline", "Half-width"), self.distance)
@@ -97,7 +101,7 @@ class MovePanel(Panel):
         return buttons(QtGui.QDialogButtonBox.Apply | QtGui.QDialogButtonBox.Cancel)
 
     def clicked(self, which):
-        if which == QtGui.QDialogButtonBox.Apply:
+        if buttons(which) == buttons(QtGui.QDialogButtonBox.Apply):
             self.accept()
 
     def _options(self):
@@ -127,6 +131,7 @@ class MovePanel(Panel):
 
     def _open(self):
         source = self.order.source
+        self._prepare()
         if self.ours:
             self.recipe = targets.recipe_of(self.target)
             self.offsets = self.recipe.offsets
@@ -143,13 +148,36 @@ class MovePanel(Panel):
 
     def _start(self):
         self.say(translate("Tapeline", "Drag the yellow points; the surface follows.") if self.ours else "")
+        self.following = True
         self._preview()
 
     def _options_changed(self):
         """Another option: the verdict and the surface come again."""
         self.solver.drop()
         self.result = None
+        self._prepare()
         self._preview()
+
+    def _prepare(self):
+        """Makes good previews possible, in the background; coarse ones do until then."""
+        order, maker = self.order.with_curve(self.order.curve, **self._options()), self.session
+        self.refusal = ""
+        if session.is_warm(order):
+            self.preparer.drop()
+        else:
+            self.preparer.ask(lambda progress, cancel: maker.prepare(order, progress, cancel), self._prepared,
+                              self._not_prepared)
+
+    def _prepared(self, _):
+        self.progress.hide()
+        if self.following and self.result is None:
+            self._preview()
+
+    def _not_prepared(self, error):
+        """The move would be refused; a coarse preview that is shown all the same does not hide why."""
+        if not worker.cancelled(error):
+            self.refusal = sentence_of(error)
+        self.failed(error)
 
     def _show_verdict(self, placement):
         side = {"left": translate("Tapeline", "left"), "right": translate("Tapeline", "right")}.get(
@@ -183,11 +211,11 @@ class MovePanel(Panel):
     def _preview(self, patience=1):
         """Asks for a preview; with patience it may take longer, to lay the line on the surface and to measure, and
         gives way to the next drag."""
-        order, session, budget = self.preview_order(), self.session, patience * settings.preview_budget()
+        order, maker, budget = self.preview_order(), self.session, patience * settings.preview_budget()
         lay = patience > 1 and self._to_be_laid()
 
         def work(progress, cancel):
-            return session.preview(targets.laid_quickly(order) if lay else order, budget, progress, cancel)
+            return maker.preview(targets.laid_quickly(order) if lay else order, budget, progress, cancel)
 
         self._asked = time.monotonic()
         self.compute(work, self._previewed, interrupt=self._patient)
@@ -197,21 +225,25 @@ class MovePanel(Panel):
         """Whether the dragged curve is yet to be laid on the surface, off which its measures would be wrong."""
         return self.dragged and self.recipe.on_surface
 
-    def _previewed(self, preview):
+    def _previewed(self, made):
+        preview, fine = made
         self.latency = time.monotonic() - self._asked
         self.faces_of_sides = (np.asarray(preview.tension_faces), np.asarray(preview.compression_faces))
         self.overlay.show(preview.vertices, preview.faces)
         self._paint()
         self._show_verdict(preview.placement)
-        self.say(translate("Tapeline", "Preview; the exact surface comes when the mouse rests."))
+        self.say(self.refusal or (
+            translate("Tapeline", "Preview; the exact surface comes when the mouse rests.") if fine else
+            translate("Tapeline", "Preparing… The preview is coarse until finer triangles are ready.")),
+            bad=bool(self.refusal))
         self._rest.start(settings.rest_delay())
         measures = solving.strip_of(preview.measures)
-        measured = any(value is not None for value in measures.values())
+        measured = fine and any(value is not None for value in measures.values())
         if measured and (self._patient or not self._to_be_laid()):
             self.strip.show_measures(measures)
             return
         self.strip.mark_old()
-        if not self._patient and not self.background.busy:
+        if fine and not self._patient and not self.background.busy:
             self._preview(PATIENCE)
 
     def _released(self):
@@ -219,11 +251,11 @@ class MovePanel(Panel):
 
     def _exactly(self):
         """Work that returns the exact order and its result."""
-        make, session = self.exact_order(), self.session
+        make, maker = self.exact_order(), self.session
 
         def work(progress, cancel):
             order = make()
-            return order, session.solve(order, progress, cancel)
+            return order, maker.solve(order, progress, cancel)
 
         return work
 
@@ -248,8 +280,8 @@ class MovePanel(Panel):
         self.failed(error)
 
     def _stop(self):
-        self.background.drop()
-        self.solver.drop()
+        for background in (self.background, self.solver, self.preparer):
+            background.drop()
         self._rest.stop()
         self.progress.hide()
         self.say(translate("Tapeline", "Stopped; drag a point or apply to compute again."))
@@ -264,8 +296,8 @@ class MovePanel(Panel):
     def apply(self):
         self._stop()
         # Without a result yet, it is computed now, behind a dialog.
-        order, result = self.result or worker.run(self._exactly(), self.title)
-        with api.transaction(self.document, self.title):
+        order, result = self.result or worker.run(self._exactly(), self.heading)
+        with api.transaction(self.document, self.heading):
             self._store(order, result)
         self.applied = True
         Gui.Selection.clearSelection()
@@ -289,6 +321,7 @@ class MovePanel(Panel):
     def leave(self):
         self._rest.stop()
         self.solver.close()
+        self.preparer.close()
         super().leave()
         if self.applied:
             for obj in [self.model, self.target] + [obj for obj in self.model.InList if kind_of(obj) == "lines"]:

@@ -1,20 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel of Region: what may follow, tinted as it changes; pinned vertices and protected faces by picking."""
+"""Panel of Region: what may follow, tinted as it changes; lines, faces and vertices are chosen by clicks or numbers."""
 import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from .. import api, curves, engine, models, properties, settings, solving
+from .. import api, curves, engine, models, properties, session, settings, solving
+from ..objects import kind_of, line_set
 from ..objects import region as regions
 from ..scene import colours
+from ..scene.line_preview import LinePreview
 from ..scene.overlay import SurfaceOverlay
 from ..scene.picking import SurfacePicker
-from ..text import translate
-from .base import AUTOMATIC, Panel, SavedVisibility, button, number, row
+from ..text import QT_TRANSLATE_NOOP, translate
+from .base import Panel, SavedVisibility, automatic, button, combo, number
+
+PIN, PROTECT, BOUND, INSIDE, KEEP, HOLD = "pin", "protect", "bound", "inside", "keep", "hold"
+LINE_ROLES = {"roi_lines": colours.BOUNDING, "keep": colours.KEPT, "hold": colours.HELD}
+ROLE_OF_MODE = {BOUND: "roi_lines", KEEP: "keep", HOLD: "hold"}
 
 
 class RegionPanel(Panel):
-    title = translate("Tapeline", "Region")
+    title = QT_TRANSLATE_NOOP("Tapeline", "Region")
     icon_name = "region"
 
     def __init__(self, target=None, region=None):
@@ -26,17 +32,22 @@ class RegionPanel(Panel):
         self.protected = set(region.FixedFaces) if region is not None else set()
         self._build(properties.keys(region, ["region"]) if region is not None else {})
         self.overlay = self.decorate(SurfaceOverlay(self.view))
-        self.decorate(SavedVisibility(self.target.Model))
+        self.drawn_lines = self.decorate(LinePreview(self.view))
+        self.decorate(SavedVisibility(self.target.Model, *[obj for obj in self.target.Model.InList
+                                                           if kind_of(obj) == "lines"]))
         self.shown = None  # the region shown, whose even triangles serve for quick answers
+        self.lines = []    # the model's feature lines
         self._rest = QtCore.QTimer(self.form)
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self.update)
         self.picker = self.decorate(SurfacePicker(self.view, self._picked))
         self.update()
 
+    # The form.
+
     def _build(self, now):
         self.distance = number(now.get("roi_distance", 0), 0, 1e5, 1, " mm", 10)
-        self.distance.setSpecialValueText(AUTOMATIC)
+        self.distance.setSpecialValueText(automatic())
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setObjectName("distance")
         self.slider.setRange(0, 1000)
@@ -44,32 +55,91 @@ class RegionPanel(Panel):
         self.slider.valueChanged.connect(lambda position: self.distance.setValue(float(position)))
         self.rows.addRow(translate("Tapeline", "Half-width"), self.distance)
         self.rows.addRow("", self.slider)
-        self.lines = QtGui.QLineEdit(", ".join(now.get("roi_lines", [])))
-        self.lines.setPlaceholderText(translate("Tapeline", "numbers, e.g. 1, 3"))
-        self.lines.setToolTip(translate("Tapeline", "Feature lines that bound the region, instead of a distance"))
-        self.rows.addRow(translate("Tapeline", "Or by lines"), self.lines)
-        self.faces = QtGui.QLineEdit(", ".join(map(str, now.get("roi_faces", []))))
-        self.faces.setPlaceholderText(translate("Tapeline", "numbers, e.g. 4"))
-        self.faces.setToolTip(translate("Tapeline", "CAD faces that make up the region, instead of a distance"))
-        self.rows.addRow(translate("Tapeline", "Or by faces"), self.faces)
+        numbers = translate("Tapeline", "numbers, e.g. 1, 3")
+        self.fields = {}
+        for key, text, hint, tip in (
+                ("roi_lines", translate("Tapeline", "Or by lines"), numbers,
+                 translate("Tapeline", "Feature lines that bound the region, instead of a distance")),
+                ("roi_faces", translate("Tapeline", "Or by faces"), numbers,
+                 translate("Tapeline", "CAD faces that make up the region, instead of a distance")),
+                ("roi_box", translate("Tapeline", "Or by a box"), translate("Tapeline", "x, y, z from; x, y, z to (mm)"),
+                 translate("Tapeline", "A box along the axes that holds the region, instead of a distance: smallest x, "
+                           "y, z, then largest x, y, z in mm")),
+                ("keep", translate("Tapeline", "Keep lines"), numbers,
+                 translate("Tapeline", "Other lines that stay lines where the surface makes room: their vertices slide "
+                           "along them")),
+                ("hold", translate("Tapeline", "Hold lines"), numbers,
+                 translate("Tapeline", "Other lines whose vertices stay where they are"))):
+            self._add_field(key, text, hint, tip, now.get(key, []))
+        self._said = [field.text() for field in self.fields.values()]
         self.borders = QtGui.QCheckBox(translate("Tapeline", "open borders may move"))
         self.borders.setChecked(bool(now.get("free_borders", False)))
         self.rows.addRow(self.borders)
-        self.pin = QtGui.QPushButton(translate("Tapeline", "Pin"))
-        self.protect = QtGui.QPushButton(translate("Tapeline", "Protect"))
-        for push, tip in ((self.pin, translate("Tapeline", "Click vertices in the 3D view that shall stay")),
-                          (self.protect, translate("Tapeline", "Click CAD faces in the 3D view that shall stay"))):
-            push.setCheckable(True)
-            push.setMinimumWidth(40)
-            push.setToolTip(tip)
-        self.pin.toggled.connect(lambda on: self.protect.setChecked(False) if on else None)
-        self.protect.toggled.connect(lambda on: self.pin.setChecked(False) if on else None)
-        self.rows.addRow(row(self.pin, self.protect, button(translate("Tapeline", "None"), self._release,
-                                                            translate("Tapeline", "Lets all of them go again"))))
+        self._build_clicks()
         self.distance.valueChanged.connect(lambda *_: self._distance_changed())
-        for signal in (self.lines.editingFinished, self.faces.editingFinished):
-            signal.connect(self.update)
         self.borders.toggled.connect(lambda *_: self.update())
+
+    def _add_field(self, key, text, hint, tip, values):
+        field = QtGui.QLineEdit(", ".join(f"{v:.12g}" if isinstance(v, float) else str(v) for v in values))
+        field.setObjectName(key)
+        field.setPlaceholderText(hint)
+        field.setToolTip(tip)
+        field.editingFinished.connect(self._field_changed)
+        label = QtGui.QLabel((colours.swatch(LINE_ROLES[key]) if key in LINE_ROLES else "") + text)
+        label.setToolTip(tip)
+        self.rows.addRow(label, field)
+        self.fields[key] = field
+
+    def _build_clicks(self):
+        self.mode = combo([("", translate("Tapeline", "turns the view")),
+                           (PIN, translate("Tapeline", "pins a vertex")),
+                           (PROTECT, translate("Tapeline", "protects a face")),
+                           (INSIDE, translate("Tapeline", "adds a face")),
+                           (BOUND, translate("Tapeline", "bounds by a line")),
+                           (KEEP, translate("Tapeline", "keeps a line")),
+                           (HOLD, translate("Tapeline", "holds a line"))])
+        self.mode.setObjectName("mode")
+        self.mode.setToolTip(translate("Tapeline", "What a click in the 3D view does; a second click on the same thing "
+                                       "takes it back"))
+        self.rows.addRow(translate("Tapeline", "A click"), self.mode)
+        self.stays = QtGui.QLabel()
+        self.stays.setWordWrap(True)
+        self.rows.addRow(self.stays, button(translate("Tapeline", "Let go"), self._release,
+                                            translate("Tapeline", "Lets all pinned vertices and protected faces move "
+                                                      "again")))
+        self._describe_stays()
+
+    def _describe_stays(self):
+        self.stays.setText(translate("Tapeline", "Pinned: {}, protected: {}")
+                           .format(len(self.fixed), len(self.protected)))
+
+    # The fields' values.
+
+    def _words(self, key):
+        return [word.strip() for word in self.fields[key].text().replace(";", ",").split(",") if word.strip()]
+
+    def _numbers(self, key):
+        try:
+            return [int(word) for word in self._words(key)]
+        except ValueError:
+            raise engine.UserError(translate("Tapeline", "'{}' are no numbers of CAD faces; write them as in 4, 7.")
+                                   .format(self.fields[key].text())) from None
+
+    def everything(self):
+        """All fields as region keys; raises a sentence about what is no number."""
+        return {"roi_distance": self.distance.value(), "roi_lines": self._words("roi_lines"),
+                "roi_faces": self._numbers("roi_faces"),
+                "roi_box": curves.parse_law(self.fields["roi_box"].text()),
+                "free_borders": self.borders.isChecked(), "fixed_vertices": sorted(self.fixed),
+                "fixed_faces": sorted(self.protected), "keep": self._words("keep"), "hold": self._words("hold")}
+
+    def order(self):
+        """What would be moved; raises a sentence about a field."""
+        keys = {key: value for key, value in self.everything().items() if value}
+        return solving.Order(self.source, self.target.Line, curves.curve_of(self.target).to_json(),
+                             properties.keys(self.target, ["lines"]), keys)
+
+    # What happens.
 
     def _distance_changed(self):
         self.slider.blockSignals(True)
@@ -77,19 +147,12 @@ class RegionPanel(Panel):
         self.slider.blockSignals(False)
         self._update_quickly()
 
-    def keys(self):
-        """The fields as region keys; raises a sentence about what is no number."""
-        words = [word.strip() for word in self.lines.text().split(",") if word.strip()]
-        keys = {"roi_distance": self.distance.value(), "roi_lines": words,
-                "roi_faces": [int(n) for n in curves.parse_law(self.faces.text())],
-                "free_borders": self.borders.isChecked(), "fixed_vertices": sorted(self.fixed),
-                "fixed_faces": sorted(self.protected)}
-        return {key: value for key, value in keys.items() if value}
-
-    def order(self):
-        """What would be moved; raises a sentence about a field."""
-        return solving.Order(self.source, self.target.Line, curves.curve_of(self.target).to_json(),
-                             properties.keys(self.target, ["lines"]), self.keys())
+    def _field_changed(self):
+        """A field that merely loses the focus is no reason to compute."""
+        said = [field.text() for field in self.fields.values()]
+        if said != self._said:
+            self._said = said
+            self.update()
 
     def update(self):
         """The region as a move would choose it, on triangles made even for it."""
@@ -98,21 +161,36 @@ class RegionPanel(Panel):
         except engine.errors() as error:
             self.say(str(error), bad=True)
             return
-        self.compute(lambda progress, cancel: (order.place(progress, cancel), order.model()), self._show)
+
+        def work(progress, cancel):
+            model = order.model()
+            return order.place(progress, cancel), model, model.feature_lines(**order.line_keys)
+
+        self.compute(work, self._show)
 
     def _update_quickly(self):
         """While the slider moves: the band on the triangles that are there; the exact one follows."""
         self._rest.start(settings.rest_delay())
         if self.shown is None or self.fixed:
             return
-        shown, curve, keys = self.shown, curves.curve_of(self.target), self.keys()
-        self.compute(lambda progress, cancel: shown.model.region(shown.line, curve, remesh="off", **keys),
-                     self._tint)
+        try:
+            shown, order = self.shown, self.order()
+        except engine.errors() as error:
+            self.say(str(error), bad=True)
+            return
+        self.compute(lambda progress, cancel: shown.model.region(shown.line, order.target(), remesh="off",
+                                                                 **order.keys), self._tint)
 
     def _show(self, made):
-        self.shown, self.engine_model = made
+        self.shown, self.engine_model, self.lines = made
         self.picker.set_surface(self.engine_model.vertices, self.engine_model.faces)
+        self.drawn_lines.show([(str(line.id), line_set.closed_points(line)) for line in self.lines])
+        self._paint_lines()
         self._tint(self.shown)
+
+    def _paint_lines(self):
+        self.drawn_lines.paint({int(word): colour for key, colour in LINE_ROLES.items() for word in self._words(key)
+                                if word.isdigit()})
 
     def _tint(self, region):
         faces = np.asarray(region.model.faces)
@@ -124,39 +202,67 @@ class RegionPanel(Panel):
         self.overlay.show(region.model.vertices, faces)
         self.overlay.colour_faces(classes, [colours.OUTSIDE, colours.REGION, colours.FIXED])
         text = translate("Tapeline", "{} vertices and {} triangles may move (green); red triangles touch what stays.")
-        self.say(text.format(len(region.vertices), len(region.faces)))
+        self.say("\n".join([text.format(len(region.vertices), len(region.faces))] + list(region.warnings)))
 
-    def _picked(self, face, vertex):
-        """A click on the surface: pins the vertex, or protects the CAD face, or lets it go again."""
-        if self.pin.isChecked():
-            self.fixed ^= {int(vertex)}
-        elif self.protect.isChecked():
-            number_of_face = int(self.engine_model.face_ids[face])
-            if number_of_face < 0:
-                self.say(translate("Tapeline", "This model has no CAD faces; pin vertices instead."), bad=True)
-                return True
-            self.protected ^= {number_of_face}
-        else:
+    # Clicks.
+
+    def _picked(self, place):
+        mode = self.mode.currentData()
+        if mode in ROLE_OF_MODE:
+            return self._picked_line(place, ROLE_OF_MODE[mode])
+        return bool(mode) and self._picked_surface(place, mode)
+
+    def _picked_line(self, place, role):
+        index = place.line([np.asarray(line_set.closed_points(line)) for line in self.lines])
+        if index < 0:
             return False
+        self._toggle(role, str(self.lines[index].id))
+        self._paint_lines()
         self.update()
         return True
+
+    def _picked_surface(self, place, mode):
+        face, vertex = place.face_and_vertex()
+        if face < 0:
+            return False
+        number_of_face = int(self.engine_model.face_ids[face])
+        if mode == PIN:
+            self.fixed ^= {vertex}
+        elif number_of_face < 0:
+            self.say(translate("Tapeline", "This model has no CAD faces; pin vertices instead."), bad=True)
+            return True
+        elif mode == PROTECT:
+            self.protected ^= {number_of_face}
+        else:
+            self._toggle("roi_faces", str(number_of_face))
+        self._describe_stays()
+        self.update()
+        return True
+
+    def _toggle(self, key, word):
+        words = self._words(key)
+        words = [w for w in words if w != word] if word in words else words + [word]
+        self.fields[key].setText(", ".join(words))
+        self._said = [field.text() for field in self.fields.values()]
 
     def _release(self):
         self.fixed.clear()
         self.protected.clear()
+        self._describe_stays()
         self.update()
+
+    # Leaving.
 
     def leave(self):
         self._rest.stop()
         super().leave()
 
     def apply(self):
-        keys = self.keys()
-        everything = {"roi_distance": 0, "roi_lines": [], "roi_faces": [], "free_borders": False,
-                      "fixed_vertices": [], "fixed_faces": [], **keys}
-        with api.transaction(self.document, self.title):
+        everything = self.everything()
+        with api.transaction(self.document, self.heading):
             if self.region is None:
                 self.region = regions.create_region(self.document, self.target)
             properties.assign(self.region, everything)
             api.computed(self.region)
+        session.warm(solving.order_for(self.target, self.region))
         Gui.Selection.clearSelection()

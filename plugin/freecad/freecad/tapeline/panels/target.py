@@ -3,15 +3,15 @@
 import FreeCADGui as Gui
 from PySide import QtGui
 
-from .. import api, arrays, curves, models, properties
+from .. import api, arrays, curves, models, properties, session, solving
 from ..objects import target as targets
-from ..text import translate
-from .base import AUTOMATIC, Panel, SavedVisibility, button, combo, number, row, whole
+from ..text import QT_TRANSLATE_NOOP, translate
+from .base import Panel, SavedVisibility, automatic, button, combo, number, row, whole
 from .curve_editing import CurveEditing, mode_box, prepared
 
 
 class TargetPanel(Panel):
-    title = translate("Tapeline", "Target line")
+    title = QT_TRANSLATE_NOOP("Tapeline", "Target line")
     icon_name = "target"
 
     def __init__(self, model=None, lines=None, number=0, curve=None, target=None):
@@ -51,12 +51,12 @@ class TargetPanel(Panel):
         self.origin.currentIndexChanged.connect(lambda *_: self.update())
         self.rows.addRow(translate("Tapeline", "Starts as"), self.origin)
         keys = recipe.fit_keys if recipe else {}
-        self.count = whole(keys.get("control_points", 0), 0, 1000, AUTOMATIC)
+        self.count = whole(keys.get("control_points", 0), 0, 1000, automatic())
         self.count.valueChanged.connect(lambda *_: self.update())
         self.rows.addRow(translate("Tapeline", "Control points"), self.count)
         self.tolerance = number(keys.get("tolerance", 0), 0, 1e4, 4, " mm")
         self.tolerance.setObjectName("tolerance")
-        self.tolerance.setSpecialValueText(AUTOMATIC)
+        self.tolerance.setSpecialValueText(automatic())
         self.tolerance.valueChanged.connect(lambda *_: self.update())
         self.rows.addRow(translate("Tapeline", "Tolerance of the fit"), self.tolerance)
         self._build_shaping(recipe)
@@ -73,7 +73,7 @@ class TargetPanel(Panel):
         self.fair = QtGui.QCheckBox(translate("Tapeline", "fair, by at most"))
         self.fair.setChecked(bool(recipe and recipe.fair))
         self.fair_limit = number(recipe.fair_limit if recipe else 0, 0, 1e4, 4, " mm")
-        self.fair_limit.setSpecialValueText(AUTOMATIC)
+        self.fair_limit.setSpecialValueText(automatic())
         self.rows.addRow(self.fair, self.fair_limit)
         self.on_surface = QtGui.QCheckBox(translate("Tapeline", "lay on the surface"))
         self.on_surface.setObjectName("on_surface")
@@ -152,7 +152,7 @@ class TargetPanel(Panel):
         values = {"slide": recipe.slide, "fair": recipe.fair, "fair_limit": recipe.fair_limit,
                   "on_surface": recipe.on_surface, "control_points": self.count.value(),
                   "tolerance": self.tolerance.value(), **self.line_keys}
-        with api.transaction(self.document, self.title):
+        with api.transaction(self.document, self.heading):
             if self.target is None:
                 self.target = targets.create_target(self.document, self.model, recipe.line)
             self.target.Line = recipe.line
@@ -162,4 +162,5 @@ class TargetPanel(Panel):
             properties.assign(self.target, values)
             self.target.Offsets = arrays.vectors(self.editing.offsets) if self.editing.moved_by_hand else []
             api.computed(self.target)
+        session.warm(solving.order_for(self.target))
         Gui.Selection.clearSelection()

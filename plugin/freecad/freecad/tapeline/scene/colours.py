@@ -7,6 +7,9 @@ COMPRESSION = (0.95, 0.62, 0.32)
 REGION = (0.45, 0.75, 0.48)
 FIXED = (0.80, 0.15, 0.15)
 OUTSIDE = (0.80, 0.82, 0.86)
+BOUNDING = (0.10, 0.10, 0.10)
+KEPT = (0.95, 0.75, 0.05)
+HELD = (0.80, 0.05, 0.45)
 
 GRADES = {"green": "#2e9e44", "amber": "#e0a100", "red": "#cc2b2b", "": "#8a8a8a"}
 
@@ -14,6 +17,11 @@ _DIVERGING = np.array([[0.13, 0.27, 0.66], [0.55, 0.70, 0.90], [0.93, 0.93, 0.93
                        [0.70, 0.09, 0.13]])
 _RISING = np.array([[0.93, 0.93, 0.93], [0.99, 0.85, 0.46], [0.95, 0.55, 0.24], [0.80, 0.20, 0.15],
                     [0.45, 0.03, 0.16]])
+
+
+def swatch(rgb):
+    """A coloured square, for labels."""
+    return '<span style="color: #{:02x}{:02x}{:02x}">■</span> '.format(*(round(255 * part) for part in rgb))
 
 
 def _mix(table, t):

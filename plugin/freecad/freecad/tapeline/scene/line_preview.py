@@ -37,8 +37,12 @@ class LinePreview:
 
     def mark(self, index):
         """Draws one line in another colour."""
+        self.paint({index: MARKED})
+
+    def paint(self, colours):
+        """Draws lines in colours of their own, by their place in the list; the others as at first."""
         for i, colour in enumerate(self._colours):
-            colour.rgb = MARKED if i == index else LINE
+            colour.rgb = colours.get(i, LINE)
 
     def remove(self):
         if self._graph is not None:

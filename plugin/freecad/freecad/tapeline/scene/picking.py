@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Clicks on a surface that is only drawn: which triangle and which vertex is under the mouse."""
+"""Clicks on a surface and lines that are only drawn: which triangle, vertex or line is under the mouse."""
 import numpy as np
 from PySide import QtCore
 
 from .handles import Projection
+
+REACH = 8.0  # pixels to a line
 
 
 def hit(origin, direction, vertices, faces):
@@ -26,8 +28,26 @@ def hit(origin, direction, vertices, faces):
     return face, origin + direction * t[face]
 
 
+def nearest_line(projection, lines, pixel):
+    """Which of some polylines passes a pixel within REACH, the one nearest to the eye where several do, or -1."""
+    origin, direction = projection.ray(pixel)
+    best, least = -1, np.inf
+    for number, points in enumerate(lines):
+        flat = np.array([projection.pixel(point) for point in points])
+        start, step = flat[:-1], np.diff(flat, axis=0)
+        along = ((pixel - start) * step).sum(axis=1) / np.maximum((step**2).sum(axis=1), 1e-12)
+        along = np.clip(along, 0, 1)[:, None]
+        gaps = np.linalg.norm(start + along * step - pixel, axis=1)
+        places = points[:-1] + along * np.diff(points, axis=0)
+        depths = np.where(gaps < REACH, (places - origin) @ direction, np.inf)
+        if depths.min(initial=np.inf) < least:
+            best, least = number, depths.min()
+    return best
+
+
 class SurfacePicker(QtCore.QObject):
-    """Calls `picked(face, vertex)` for a click on the surface; if that returns True the click ends there."""
+    """Calls `picked(place)` for a press of the left button; if that returns True the click ends there. A place knows
+    what is under the mouse."""
 
     def __init__(self, view, picked):
         super().__init__()
@@ -44,15 +64,29 @@ class SurfacePicker(QtCore.QObject):
                 or self._vertices is None):
             return False
         place = event.position() if hasattr(event, "position") else event.localPos()
-        origin, direction = Projection(self._view, self.widget).ray((place.x(), place.y()))
-        face, point = hit(origin, direction, self._vertices, self._faces)
-        if face < 0:
-            return False
-        corners = self._faces[face]
-        vertex = corners[np.argmin(np.linalg.norm(self._vertices[corners] - point, axis=1))]
-        return bool(self._picked(face, int(vertex)))
+        return bool(self._picked(Place(Projection(self._view, self.widget), np.array([place.x(), place.y()]),
+                                       self._vertices, self._faces)))
 
     def remove(self):
         if self.widget is not None:
             self.widget.removeEventFilter(self)
             self.widget = None
+
+
+class Place:
+    """A pixel of the view, asked what is there."""
+
+    def __init__(self, projection, pixel, vertices, faces):
+        self._projection, self._pixel, self._vertices, self._faces = projection, pixel, vertices, faces
+
+    def face_and_vertex(self):
+        """The triangle and the vertex under the mouse, or (-1, -1) beside the surface."""
+        face, point = hit(*self._projection.ray(self._pixel), self._vertices, self._faces)
+        if face < 0:
+            return -1, -1
+        corners = self._faces[face]
+        return face, int(corners[np.argmin(np.linalg.norm(self._vertices[corners] - point, axis=1))])
+
+    def line(self, lines):
+        """Which of some polylines is under the mouse, or -1."""
+        return nearest_line(self._projection, lines, self._pixel)

@@ -18,6 +18,11 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>'{}' are no numbers of CAD faces; write them as in 4, 7.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../api.py" />
       <source>'{}' could not be computed.</source>
       <translation type="unfinished" />
@@ -104,6 +109,16 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>A box along the axes that holds the region, instead of a distance: smallest x, y, z, then largest x, y, z in mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/region.py" />
+      <source>A click</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../objects/target.py" />
       <source>A target line has no option '{}'.</source>
       <translation type="unfinished" />
@@ -145,13 +160,8 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/region.py" />
-      <source>Click CAD faces in the 3D view that shall stay</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="../../panels/region.py" />
-      <source>Click vertices in the 3D view that shall stay</source>
+      <location filename="../../objects/region.py" />
+      <source>Choosing '{}'</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -171,6 +181,7 @@
     </message>
     <message>
       <location filename="../../panels/lines.py" />
+      <location filename="../../panels/move.py" />
       <source>Crease angle</source>
       <translation type="unfinished" />
     </message>
@@ -227,6 +238,11 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../objects/line_set.py" />
+      <source>Finding the lines of '{}'</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/move.py" />
       <source>Following…</source>
       <translation type="unfinished" />
@@ -253,14 +269,24 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>Hold lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/curve_editing.py" />
+      <source>How the mouse moves a control point: along the surface, in the plane of the view, or along the surface's normal</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../api.py" />
       <location filename="../../panels/import_model.py" />
       <source>Import styling model</source>
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/curve_editing.py" />
-      <source>In which direction the mouse moves a control point</source>
+      <location filename="../../panels/region.py" />
+      <source>Keep lines</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -275,12 +301,12 @@
     </message>
     <message>
       <location filename="../../panels/region.py" />
-      <source>Lets all of them go again</source>
+      <source>Let go</source>
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/move.py" />
-      <source>Line stays</source>
+      <location filename="../../panels/region.py" />
+      <source>Lets all pinned vertices and protected faces move again</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -356,13 +382,13 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/region.py" />
-      <source>None</source>
+      <location filename="../../panels/import_model.py" />
+      <source>Object</source>
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/import_model.py" />
-      <source>Object</source>
+      <location filename="../../panels/region.py" />
+      <source>Or by a box</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -376,13 +402,28 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>Other lines that stay lines where the surface makes room: their vertices slide along them</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/region.py" />
+      <source>Other lines whose vertices stay where they are</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/export.py" />
       <source>Pages (*.html)</source>
       <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../panels/region.py" />
-      <source>Pin</source>
+      <source>Pinned: {}, protected: {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/move.py" />
+      <source>Preparing… The preview is coarse until finer triangles are ready.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -391,13 +432,13 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/region.py" />
-      <source>Protect</source>
+      <location filename="../../panels/target.py" />
+      <source>Puts the control points back</source>
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/target.py" />
-      <source>Puts the control points back</source>
+      <location filename="../../objects/model.py" />
+      <source>Reading '{}'</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -532,7 +573,17 @@
     </message>
     <message>
       <location filename="../../jobs.py" />
+      <source>The job '{}' cannot be written: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../jobs.py" />
       <source>The job file '{}' cannot be read: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/move.py" />
+      <source>The line lies</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -557,7 +608,7 @@
     </message>
     <message>
       <location filename="../../models.py" />
-      <source>There is no line {}: the model has {} feature lines at these crease angles, numbered from 0.</source>
+      <source>There is no line {}: the model's feature lines at these crease angles are {}, counted from 0.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -592,6 +643,11 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>What a click in the 3D view does; a second click on the same thing takes it back</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/export.py" />
       <source>Writing the report</source>
       <translation type="unfinished" />
@@ -617,18 +673,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>adds a face</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/check.py" />
       <source>after the move</source>
       <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../panels/curve_editing.py" />
-      <source>along the surface</source>
+      <source>along normal</source>
       <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../panels/curve_editing.py" />
-      <source>along the surface's normal</source>
+      <source>along surface</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -649,6 +710,11 @@
     <message>
       <location filename="../../panels/check.py" />
       <source>blue to red: -{0:.2g} to {0:.2g} per mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/region.py" />
+      <source>bounds by a line</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -692,8 +758,18 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/base.py" />
+      <source>free</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/region.py" />
+      <source>holds a line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/curve_editing.py" />
-      <source>in the plane of the view</source>
+      <source>in view plane</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -702,11 +778,22 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>keeps a line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/base.py" />
+      <source>kept</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/target.py" />
       <source>lay on the surface</source>
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/base.py" />
       <location filename="../../panels/move.py" />
       <source>left</source>
       <translation type="unfinished" />
@@ -732,13 +819,18 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/region.py" />
-      <source>numbers, e.g. 4</source>
+      <location filename="../../panels/base.py" />
+      <source>off the surface</source>
       <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../panels/move.py" />
       <source>off the surface ({:.0f} % of the line); both sides bend</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/base.py" />
+      <source>on the surface</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -752,8 +844,18 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>pins a vertex</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/check.py" />
       <source>plain</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/region.py" />
+      <source>protects a face</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -762,6 +864,7 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/base.py" />
       <location filename="../../panels/move.py" />
       <source>right</source>
       <translation type="unfinished" />
@@ -787,6 +890,11 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/region.py" />
+      <source>turns the view</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/check.py" />
       <source>up to {:.4g} mm</source>
       <translation type="unfinished" />
@@ -795,6 +903,11 @@
       <location filename="../../commands/save_job.py" />
       <location filename="../../panels/export.py" />
       <source>wrote {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/region.py" />
+      <source>x, y, z from; x, y, z to (mm)</source>
       <translation type="unfinished" />
     </message>
     <message>
