@@ -22,7 +22,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDI
 install(FILES "${PROJECT_SOURCE_DIR}/package.xml" "${PROJECT_SOURCE_DIR}/LICENSE"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/tapeline/freecad")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/plugin/freecad"
-        DESTINATION "${CMAKE_INSTALL_DATADIR}/tapeline/freecad/plugin" PATTERN "__pycache__" EXCLUDE)
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/tapeline/freecad/plugin" PATTERN "__pycache__" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE)
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/TapelineConfig.cmake.in"
                               "${PROJECT_BINARY_DIR}/TapelineConfig.cmake" INSTALL_DESTINATION "${package_dir}")

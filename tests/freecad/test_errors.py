@@ -8,6 +8,7 @@ import zipfile
 from unittest import mock
 
 import FreeCAD as App
+import Mesh
 import numpy as np
 import Part
 from common import HOOD, LINE, PANEL, SLIDE, InADocument, Printed
@@ -63,19 +64,29 @@ class Errors(InADocument):
         model = api.import_model(str(path), self.document)
         self.refused(lambda: api.find_lines(model), "crease angle 10 deg")
 
-    def test_a_region_with_a_hole_moves_or_says_why_not(self):
+    def test_a_region_with_a_hole_moves_and_a_slide_into_the_hole_is_refused_in_a_sentence(self):
         hole = {(i, j) for i in range(26, 30) for j in range(28, 32)}
         model = self.mesh(*strip(hole=hole))
-        target = api.target_line(model, "0@20%..80%", slide=[0, -15, 0])
-        try:
+        for slide in (-15, 15):
+            target = api.target_line(model, "0@20%..80%", slide=[0, slide, 0])
             move = api.move(target, region=api.region(target, roi_distance=80))
-        except engine.errors() as error:
-            self.assertGreater(len(str(error)), 20)
-            return
-        self.assertLess(move.MeasuredLineError, 1e-9)
-        self.assertTrue(np.isfinite(arrays.rows(move, "Vertices")).all())
+            self.assertLess(move.MeasuredLineError, 1e-9)
+            self.assertTrue(np.isfinite(arrays.rows(move, "Vertices")).all())
+            self.assertEqual(api.measures(move)["flipped"], 0)
+        self.refused(lambda: api.target_line(model, "0@20%..80%", slide=[0, -60, 0]), "border is 31.* slide less there")
 
-    def test_a_curve_on_the_other_side_of_the_model_is_refused_in_a_sentence(self):
+    def test_a_curve_on_the_other_side_of_a_closed_model_is_refused_in_a_sentence(self):
+        box = self.document.addObject("Mesh::Feature", "Box")
+        box.Mesh = Mesh.createBox(200, 100, 50, 8)  # about the origin
+        model = api.import_model(box)
+        curve = self.document.addObject("Part::Feature", "Opposite")
+        points = np.asarray(api.engine_model(model).feature_lines()[0].points)
+        curve.Shape = Part.makePolygon(arrays.vectors(-points))
+        for line in ("0", "0@20%..80%"):
+            target = api.target_line(model, line, curve=curve)
+            self.refused(lambda target=target: api.move(target), "no fixed rim.*choose a smaller region")
+
+    def test_a_curve_far_off_the_model_is_refused_in_a_sentence(self):
         model = api.import_model(PANEL, self.document)
         line = models.load(models.source_of(model)).feature_lines()[0]
         far = np.asarray(line.points) + np.array([0, 0, 5000.0])

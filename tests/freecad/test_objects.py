@@ -6,9 +6,19 @@ import unittest
 import FreeCAD as App
 import numpy as np
 import Part
-from common import HOOD, PANEL, SLIDE, InADocument, run_command
+from common import HOOD, PANEL, SLIDE, SOURCE, InADocument, run_command
 
 from freecad.tapeline import api, arrays, engine, properties
+
+
+class Addon(unittest.TestCase):
+    def test_freecad_reads_the_addons_description(self):
+        addon = App.Metadata(str(SOURCE / "package.xml"))
+        self.assertEqual((addon.Name, addon.Version), ("Tapeline", engine.module().version()))
+        self.assertEqual(addon.Maintainer, [{"name": "The Tapeline maintainers", "email": "maintainers@tapeline.invalid"}])
+        workbench, = addon.Content["workbench"]
+        self.assertTrue((SOURCE / workbench.Subdirectory / "freecad" / "tapeline" / "init_gui.py").exists())
+        self.assertTrue((SOURCE / workbench.Subdirectory / workbench.Icon).exists())
 
 
 class Objects(InADocument):
@@ -137,6 +147,27 @@ class Objects(InADocument):
         box.Length = 25
         self.document.recompute()
         self.assertEqual(np.asarray(api.engine_model(model).vertices)[:, 0].max(), 25)
+
+    def test_sketches_and_draft_curves_are_target_lines_and_are_followed(self):
+        import Draft
+        import Sketcher  # noqa: F401 (adds its kind of object)
+
+        model = api.import_model(PANEL, self.document)
+        line = api.engine_model(model).feature_lines()[0]
+        first, last = (np.asarray(line.points)[i] for i in (0, -1))
+        inner = [tuple(first + part * (last - first)) for part in (0.2, 0.4, 0.6, 0.8)]
+        sketch = self.document.addObject("Sketcher::SketchObject", "Sketch")
+        sketch.Placement.Base.z = inner[0][2]
+        sketch.addGeometry(Part.LineSegment(*(App.Vector(x, y, 0) for x, y, _ in (inner[0], inner[-1]))))
+        draft = Draft.make_bspline([App.Vector(*point) for point in inner])
+        self.document.recompute()
+        for curve in (sketch, draft):
+            target = api.target_line(model, curve=curve)
+            self.assertAlmostEqual(target.Length.Value, curve.Shape.Length, delta=1e-6 * curve.Shape.Length)
+        draft.Points = [*draft.Points[:-1], draft.Points[-1] + App.Vector(0, 7, 0)]
+        self.document.recompute()
+        self.assertAlmostEqual(target.Length.Value, draft.Shape.Length, delta=1e-6 * draft.Shape.Length)
+        self.assertGreater(abs(target.Length.Value - sketch.Shape.Length), 0.01)
 
     def roof(self):
         """Four plane faces side by side, 50 mm wide; the middle edge is the only sharp one."""

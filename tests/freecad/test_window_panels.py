@@ -177,6 +177,17 @@ class Panels(unittest.TestCase):
         self.assertIn("Invalid", move.State)
         self.assertEqual(move.getStatusString().count("There is no line 9"), 1)
 
+    def test_a_missing_module_is_said_in_a_box_when_a_command_is_chosen(self):
+        sentence = "The compiled Python module 'tapeline' was not found"
+        with mock.patch.object(engine, "_module", None), mock.patch.object(engine, "_load", lambda: None):
+            Gui.runCommand("Tapeline_ImportModel")
+            window.settle(0.2)
+            box = Gui.getMainWindow().findChild(QtGui.QMessageBox, "TapelineSentence")
+            self.assertIn(sentence, box.text())
+            self.assertIn("Preferences > Tapeline", box.text())
+            box.close()
+        self.assertFalse(Gui.Control.activeDialog())
+
     def test_choices_are_shown_in_words_and_stored_as_the_engine_names_them(self):
         api.target_line(api.import_model(PANEL, self.document), slide=SLIDE)
         panel = open_panel("Tapeline_Move")

@@ -65,7 +65,7 @@ def module():
                                           "Build or install it anew.").format(error)) from None
         if _module is None:
             raise EngineMissing(translate("Tapeline", "The compiled Python module 'tapeline' was not found, so nothing "
-                                          "can be computed. Build it (scripts/demo) or install it (cmake --install), "
+                                          "can be computed. Build it (scripts/test) or install it (cmake --install), "
                                           "or name its folder in Edit > Preferences > Tapeline."))
     return _module
 

@@ -103,8 +103,8 @@ def line_of(model, selector, line_keys):
         return model.line_through(_vertices_in(selector), **line_keys)
     lines = model.feature_lines(**line_keys)
     if int(number) >= len(lines):
-        raise engine.UserError(translate("Tapeline", "There is no line {}: the model's feature lines at these "
-                                         "crease angles are {}, counted from 0.").format(number, len(lines)))
+        raise engine.UserError(translate("Tapeline", "There is no line {}: at these crease angles the "
+                                         "model has {} of them, counted from 0.").format(number, len(lines)))
     line = lines[int(number)]
     if not part:
         return line

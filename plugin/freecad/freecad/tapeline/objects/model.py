@@ -47,9 +47,10 @@ def create_model(document, source, **import_keys):
     is_path = isinstance(source, (str, os.PathLike))
     if is_path and not os.path.isfile(source):
         raise engine.UserError(translate("Tapeline", "There is no file '{}'.").format(source))
-    label = os.path.splitext(os.path.basename(str(source)))[0] if is_path else source.Label
+    label = os.path.splitext(os.path.basename(str(source)))[0] if is_path else translate(
+        "Tapeline", "{} (styling model)").format(source.Label)
     obj = create(document, "Mesh::FeaturePython", "StylingModel", StylingModel,
-                 translate("Tapeline", "{} (styling model)").format(label))
+                 label)
     if is_path:
         obj.Source = str(source)
         obj.Origin = os.path.abspath(str(source))

@@ -5,15 +5,19 @@ import json
 import numpy as np
 
 from .. import arrays, engine, properties, solving, worker
-from ..text import translate, warn
+from ..text import QT_TRANSLATE_NOOP, translate, warn
 from .base import Proxy, create, property_if_missing
 
 # Measure of the quality strip -> (type, what it is); filled after each solve, for people and spreadsheets.
 MEASURES = {
-    "Bulge": ("App::PropertyDistance", "Largest distance of the compressed side to its old surface"),
-    "Inflections": ("App::PropertyInteger", "New inflections in sections of the compressed side"),
-    "CreaseAngle": ("App::PropertyAngle", "Largest change of the crease angle along the line"),
-    "LineError": ("App::PropertyFloat", "Largest distance of the moved line to its target [mm]"),
+    "Bulge": ("App::PropertyDistance",
+              QT_TRANSLATE_NOOP("App::Property", "Largest distance of the compressed side to its old surface")),
+    "Inflections": ("App::PropertyInteger",
+                    QT_TRANSLATE_NOOP("App::Property", "New inflections in sections of the compressed side")),
+    "CreaseAngle": ("App::PropertyAngle",
+                    QT_TRANSLATE_NOOP("App::Property", "Largest change of the crease angle along the line")),
+    "LineError": ("App::PropertyFloat",
+                  QT_TRANSLATE_NOOP("App::Property", "Largest distance of the moved line to its target [mm]")),
 }
 
 
@@ -90,7 +94,7 @@ def create_move(document, target, region=None, model=None, line=None, **keys):
         raise engine.UserError(translate("Tapeline", "'{}' is no target line of a model: name the model and the line.")
                                .format(target.Label))
     obj = create(document, "Mesh::FeaturePython", "FeatureLineMove", FeatureLineMove,
-                 translate("Tapeline", "Move to {}").format(target.Label))
+                 translate("Tapeline", "Move of line {}").format(line if line is not None else getattr(target, "Line", "0")))
     obj.Target, obj.Region = target, region
     obj.Model = model if model is not None else target.Model
     obj.Line = str(line) if line is not None else (target.Line if ours else "0")

@@ -26,7 +26,7 @@ class MoveRegion(Proxy):
 
 def create_region(document, target, **keys):
     obj = create(document, "App::FeaturePython", "MoveRegion", MoveRegion,
-                 translate("Tapeline", "Region of {}").format(target.Label))
+                 translate("Tapeline", "Region of line {}").format(getattr(target, "Line", target.Label)))
     obj.Target = target
     properties.assign(obj, keys)
     return obj

@@ -7,7 +7,7 @@ import numpy as np
 
 from .. import arrays, curves, engine, models, properties, worker
 from ..memory import Memory
-from ..text import translate, warn
+from ..text import QT_TRANSLATE_NOOP, translate, warn
 from .base import Proxy, create, property_if_missing
 
 FITTED, LINKED, STORED = "Fitted to the line", "Linked curve", "Stored curve"
@@ -22,7 +22,8 @@ class TargetLine(Proxy):
         property_if_missing(obj, "App::PropertyString", "Line", "Feature line",
                             "Which line moves: its number, or a part as in 0@10%..85% or 0@120..900 (mm)")
         if "Origin" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Origin", "Target", "What the target line starts from")
+            obj.addProperty("App::PropertyEnumeration", "Origin", "Target",
+                            QT_TRANSLATE_NOOP("App::Property", "What the target line starts from"))
             obj.Origin = [FITTED, LINKED, STORED]
         property_if_missing(obj, "App::PropertyLinkSub", "LinkedCurve", "Target",
                             "Draft, Part or Sketch object whose edges are the target line")

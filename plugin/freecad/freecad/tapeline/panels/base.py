@@ -107,7 +107,7 @@ class Panel:
     def show_progress(self, fraction, stage):
         self.progress.show()
         self.progress.setValue(int(1000 * fraction))
-        self.progress.setFormat(stage or "%p %")
+        self.progress.setFormat(stage or "…")
 
     def compute(self, work, done, interrupt=True):
         """Runs `work` in the background; only the newest request reports back."""
@@ -165,6 +165,13 @@ def button(text, action, tip=""):
     push.setMinimumWidth(40)
     push.clicked.connect(lambda *_: action())
     push.setToolTip(tip)
+    return push
+
+
+def slim(push):
+    """A button no wider than it must be, beside a field."""
+    push.setMaximumWidth(30)
+    push.setMinimumWidth(30)
     return push
 
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Panel of Check surface: overlays on the moved surface, sections with combs, the measures' table."""
+import contextlib
+
 import numpy as np
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from .. import settings, solving
 from ..objects import kind_of
@@ -38,9 +40,9 @@ class CheckPanel(Panel):
 
     def _build(self):
         self.overlay_box = combo([(ZEBRA, translate("Tapeline", "zebra stripes")),
-                                  (GAUSS, translate("Tapeline", "sign of the Gaussian curvature")),
+                                  (GAUSS, translate("Tapeline", "Gaussian sign")),
                                   (MEAN, translate("Tapeline", "mean curvature")),
-                                  (DISTANCE, translate("Tapeline", "distance to the surface before")),
+                                  (DISTANCE, translate("Tapeline", "distance to before")),
                                   (MOVED, translate("Tapeline", "displacement")),
                                   (PLAIN, translate("Tapeline", "plain"))])
         self.overlay_box.setObjectName("overlay")
@@ -63,7 +65,8 @@ class CheckPanel(Panel):
         self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
         self.table.verticalHeader().hide()
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-        self.table.setMinimumHeight(320)
+        self.table.verticalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+        self.table.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.column.insertWidget(1, self.table)
 
     def getStandardButtons(self):  # noqa: N802 (FreeCAD's name)
@@ -83,7 +86,16 @@ class CheckPanel(Panel):
         for i, cells in enumerate(rows):
             for j, cell in enumerate(cells):
                 self.table.setItem(i, j, QtGui.QTableWidgetItem(cell.strip()))
-        self.table.resizeRowsToContents()
+        QtCore.QTimer.singleShot(0, self._fit_table)
+
+    def _fit_table(self):
+        """As tall as its rows, once these know their height: the panel scrolls, the table in it need not."""
+        with contextlib.suppress(RuntimeError):  # the panel is closed
+            self._set_table_height()
+
+    def _set_table_height(self):
+        height = self.table.horizontalHeader().height() + self.table.verticalHeader().length()
+        self.table.setFixedHeight(height + 2 * self.table.frameWidth())
 
     def paint(self):
         """Draws what the boxes say."""

@@ -6,7 +6,7 @@ from PySide import QtGui
 
 from .. import engine, jobs, solving, worker
 from ..text import QT_TRANSLATE_NOOP, inform, translate
-from .base import Panel, button, default_name, row
+from .base import Panel, button, default_name, row, slim
 from .files import ask_save_name
 
 
@@ -36,7 +36,8 @@ class ExportPanel(Panel):
             if path:
                 line.setText(path)
 
-        self.rows.addRow(label, row(line, button("…", browse, translate("Tapeline", "Choose a file"))))
+        self.rows.addRow(QtGui.QLabel(label))
+        self.rows.addRow(row(line, slim(button("…", browse, translate("Tapeline", "Choose a file")))))
         return line
 
     def apply(self):

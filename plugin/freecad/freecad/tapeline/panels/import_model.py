@@ -7,7 +7,7 @@ from PySide import QtGui
 from .. import api, engine, properties
 from ..objects.model import CAD_ENDINGS, MESH_ENDINGS
 from ..text import QT_TRANSLATE_NOOP, translate
-from .base import Panel, automatic, button, combo, number, row
+from .base import Panel, automatic, button, combo, number, row, slim, wrapped
 from .files import ask_open_name
 
 
@@ -26,10 +26,10 @@ class ImportPanel(Panel):
         self.path.setObjectName("path")
         self.path.setPlaceholderText(translate("Tapeline", "STEP, IGES, BREP, STL, OBJ, PLY or OFF"))
         if source is None:
-            self.rows.addRow(translate("Tapeline", "File"),
-                             row(self.path, button("…", self._browse, translate("Tapeline", "Choose a file"))))
+            self.rows.addRow(QtGui.QLabel(translate("Tapeline", "File")))
+            self.rows.addRow(row(self.path, slim(button("…", self._browse, translate("Tapeline", "Choose a file")))))
         else:
-            self.rows.addRow(translate("Tapeline", "Object"), QtGui.QLabel(source.Label))
+            self.rows.addRow(translate("Tapeline", "Object"), wrapped(source.Label))
         units = _option("units")
         self.units = combo(units["choices"], units["default"])
         self.units.setToolTip(units["help"])

@@ -47,6 +47,8 @@ class LinesPanel(Panel):
                 self._add_slider(box)
         self.table = QtGui.QListWidget()
         self.table.setObjectName("lines")
+        self.table.setWordWrap(True)
+        self.table.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.table.currentRowChanged.connect(self._mark)
         self.column.insertWidget(1, self.table)
 

@@ -86,7 +86,7 @@ class MovePanel(Panel):
         else:
             self.rows.addRow(translate("Tapeline", "Region"), wrapped(self.region.Label))
         if self.ours:
-            self.rows.addRow(translate("Tapeline", "Dragging moves"), mode_box(self.editing))
+            self.rows.addRow(translate("Tapeline", "Drags go"), mode_box(self.editing))
         self.tint = QtGui.QCheckBox(translate("Tapeline", "tint the two sides"))
         self.tint.setToolTip(translate("Tapeline", "Blue is stretched, orange gives way"))
         self.tint.setChecked(True)

@@ -55,7 +55,7 @@ class RegionPanel(Panel):
         self.slider.valueChanged.connect(lambda position: self.distance.setValue(float(position)))
         self.rows.addRow(translate("Tapeline", "Half-width"), self.distance)
         self.rows.addRow("", self.slider)
-        numbers = translate("Tapeline", "numbers, e.g. 1, 3")
+        numbers = translate("Tapeline", "e.g. 1, 3")
         self.fields = {}
         for key, text, hint, tip in (
                 ("roi_lines", translate("Tapeline", "Or by lines"), numbers,

@@ -41,7 +41,7 @@ class TargetPanel(Panel):
                                        "0@120..900 in mm"))
         self.line.editingFinished.connect(self.update)
         self.rows.addRow(translate("Tapeline", "Feature line"), self.line)
-        origins = [(targets.FITTED, translate("Tapeline", "fitted to the line"))]
+        origins = [(targets.FITTED, translate("Tapeline", "fitted"))]
         if self.linked is not None:
             origins.append((targets.LINKED, translate("Tapeline", "curve of {}").format(self.linked[0].Label)))
         if now is not None and now.Stored:
@@ -52,29 +52,33 @@ class TargetPanel(Panel):
         self.rows.addRow(translate("Tapeline", "Starts as"), self.origin)
         keys = recipe.fit_keys if recipe else {}
         self.count = whole(keys.get("control_points", 0), 0, 1000, automatic())
+        self.count.setToolTip(properties.tooltip(properties.option("control_points")))
         self.count.valueChanged.connect(lambda *_: self.update())
         self.rows.addRow(translate("Tapeline", "Control points"), self.count)
         self.tolerance = number(keys.get("tolerance", 0), 0, 1e4, 4, " mm")
         self.tolerance.setObjectName("tolerance")
+        self.tolerance.setToolTip(properties.tooltip(properties.option("tolerance")))
         self.tolerance.setSpecialValueText(automatic())
         self.tolerance.valueChanged.connect(lambda *_: self.update())
-        self.rows.addRow(translate("Tapeline", "Tolerance of the fit"), self.tolerance)
+        self.rows.addRow(translate("Tapeline", "Tolerance"), self.tolerance)
         self._build_shaping(recipe)
 
     def _build_shaping(self, recipe):
         self.law = QtGui.QLineEdit(curves.law_text(recipe.slide) if recipe else "")
         self.law.setObjectName("law")
-        self.law.setPlaceholderText(translate("Tapeline", "mm to the left; e.g. 20 or 0, 30, 60, 30, 0"))
+        self.law.setPlaceholderText(translate("Tapeline", "e.g. 20 or 0, 30, 60, 30, 0"))
         self.law.setToolTip(translate("Tapeline", "Slides the line along the surface, to its left where positive: one "
                                       "distance, or several spread evenly over its length"))
         self.law.editingFinished.connect(self.update)
-        self.rows.addRow(translate("Tapeline", "Slide"), self.law)
-        self.rows.addRow(translate("Tapeline", "Dragging moves"), mode_box(self.editing))
+        self.law.setCursorPosition(0)
+        self.rows.addRow(QtGui.QLabel(translate("Tapeline", "Slide to the left (mm)")))
+        self.rows.addRow(self.law)
+        self.rows.addRow(translate("Tapeline", "Drags go"), mode_box(self.editing))
         self.fair = QtGui.QCheckBox(translate("Tapeline", "fair, by at most"))
         self.fair.setChecked(bool(recipe and recipe.fair))
         self.fair_limit = number(recipe.fair_limit if recipe else 0, 0, 1e4, 4, " mm")
         self.fair_limit.setSpecialValueText(automatic())
-        self.rows.addRow(self.fair, self.fair_limit)
+        self.rows.addRow(row(self.fair, self.fair_limit))
         self.on_surface = QtGui.QCheckBox(translate("Tapeline", "lay on the surface"))
         self.on_surface.setObjectName("on_surface")
         self.on_surface.setChecked(bool(recipe and recipe.on_surface))

@@ -6,6 +6,7 @@ from pivy import coin
 from . import nodes
 
 SIDES = {"compressed": (0.80, 0.35, 0.05), "tension": (0.05, 0.30, 0.75)}
+TEETH = 25    # drawn of a section, so that they stay teeth
 TOOTH = 0.12  # length of the longest tooth, as a share of the longest section
 
 
@@ -47,11 +48,12 @@ class SectionCombs:
     @staticmethod
     def _comb(points, teeth, colour):
         ends = points + teeth
-        stripes = np.stack([points, ends], axis=1).reshape(-1, 3)
+        some = np.unique(np.linspace(0, len(points) - 1, TEETH).astype(int))
+        stripes = np.stack([points[some], ends[some]], axis=1).reshape(-1, 3)
         return nodes.group(nodes.flat_colour(colour), nodes.style(2.5),
                            nodes.group(nodes.coordinates(points), nodes.line_node([len(points)])), nodes.style(1),
                            nodes.group(nodes.coordinates(ends), nodes.line_node([len(ends)])),
-                           nodes.group(nodes.coordinates(stripes), nodes.line_node([2] * len(points))))
+                           nodes.group(nodes.coordinates(stripes), nodes.line_node([2] * len(some))))
 
     def remove(self):
         if self._graph is not None:

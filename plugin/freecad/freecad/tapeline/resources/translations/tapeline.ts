@@ -3,6 +3,152 @@
 <!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <TS version="2.1">
   <context>
+    <name>App::Property</name>
+    <message>
+      <location filename="../../objects/target.py" />
+      <source>Draft, Part or Sketch object whose edges are the target line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <source>Largest change of the crease angle along the line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <source>Largest distance of the compressed side to its old surface</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <source>Largest distance of the moved line to its target [mm]</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/target.py" />
+      <source>Length of the target line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/model.py" />
+      <source>Length unit found in the file</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/target.py" />
+      <source>Moves of the control points, made by dragging them</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <source>New inflections in sections of the compressed side</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/line_set.py" />
+      <source>Number of lines found</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/line_set.py" />
+      <source>Number, length and crease angle of each line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/model.py" />
+      <source>Part or Mesh object that is the model, instead of a file</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <source>Region; without one, the options here count</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/line_set.py" />
+      <location filename="../../objects/move.py" />
+      <location filename="../../objects/target.py" />
+      <source>Styling model, or the result of a move</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <source>Target line, or any object with a curve</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/region.py" />
+      <source>Target line, which also says model and line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <source>The compressed side</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/model.py" />
+      <source>The model's file, a copy of which is kept in the document</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/target.py" />
+      <source>The stored curve as JSON</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/target.py" />
+      <source>The target line as JSON</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/model.py" />
+      <source>Triangles</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/region.py" />
+      <source>Triangles in the region</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/region.py" />
+      <source>Vertices in the region</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/model.py" />
+      <source>Vertices of the triangles</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/target.py" />
+      <source>What the target line starts from</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/model.py" />
+      <source>What was found and repaired</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/model.py" />
+      <source>Where the file came from</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <source>Whether the line stays on the surface</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../objects/move.py" />
+      <location filename="../../objects/target.py" />
+      <source>Which line moves: its number, or a part as in 0@10%..85% or 0@120..900 (mm)</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
     <name>QObject</name>
     <message>
       <location filename="../../init_gui.py" />
@@ -198,7 +344,7 @@
     <message>
       <location filename="../../panels/move.py" />
       <location filename="../../panels/target.py" />
-      <source>Dragging moves</source>
+      <source>Drags go</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -250,6 +396,11 @@
     <message>
       <location filename="../../panels/lines.py" />
       <source>Found: {}. Pick one in the list or, after OK, in the 3D view.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/check.py" />
+      <source>Gaussian sign</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -363,7 +514,7 @@
     </message>
     <message>
       <location filename="../../objects/move.py" />
-      <source>Move to {}</source>
+      <source>Move of line {}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -455,7 +606,7 @@
     </message>
     <message>
       <location filename="../../objects/region.py" />
-      <source>Region of {}</source>
+      <source>Region of line {}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -490,7 +641,7 @@
     </message>
     <message>
       <location filename="../../panels/target.py" />
-      <source>Slide</source>
+      <source>Slide to the left (mm)</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -548,7 +699,7 @@
     </message>
     <message>
       <location filename="../../engine.py" />
-      <source>The compiled Python module 'tapeline' was not found, so nothing can be computed. Build it (scripts/demo) or install it (cmake --install), or name its folder in Edit &gt; Preferences &gt; Tapeline.</source>
+      <source>The compiled Python module 'tapeline' was not found, so nothing can be computed. Build it (scripts/test) or install it (cmake --install), or name its folder in Edit &gt; Preferences &gt; Tapeline.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -608,7 +759,7 @@
     </message>
     <message>
       <location filename="../../models.py" />
-      <source>There is no line {}: the model's feature lines at these crease angles are {}, counted from 0.</source>
+      <source>There is no line {}: at these crease angles the model has {} of them, counted from 0.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -623,7 +774,7 @@
     </message>
     <message>
       <location filename="../../panels/target.py" />
-      <source>Tolerance of the fit</source>
+      <source>Tolerance</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -739,7 +890,17 @@
     </message>
     <message>
       <location filename="../../panels/check.py" />
-      <source>distance to the surface before</source>
+      <source>distance to before</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/region.py" />
+      <source>e.g. 1, 3</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/target.py" />
+      <source>e.g. 20 or 0, 30, 60, 30, 0</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -754,7 +915,7 @@
     </message>
     <message>
       <location filename="../../panels/target.py" />
-      <source>fitted to the line</source>
+      <source>fitted</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -806,16 +967,6 @@
     <message>
       <location filename="../../panels/check.py" />
       <source>mean curvature</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="../../panels/target.py" />
-      <source>mm to the left; e.g. 20 or 0, 30, 60, 30, 0</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="../../panels/region.py" />
-      <source>numbers, e.g. 1, 3</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -872,11 +1023,6 @@
     <message>
       <location filename="../../panels/check.py" />
       <source>sections with curvature combs</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="../../panels/check.py" />
-      <source>sign of the Gaussian curvature</source>
       <translation type="unfinished" />
     </message>
     <message>
