@@ -8,7 +8,7 @@ import numpy as np
 import Part
 from common import HOOD, PANEL, SLIDE, SOURCE, InADocument, run_command
 
-from freecad.tapeline import api, arrays, engine, properties
+from freecad.tapeline import api, arrays, engine, models, properties
 
 
 class Addon(unittest.TestCase):
@@ -133,6 +133,17 @@ class Objects(InADocument):
         first.Target.Slide = [0, 22, 0]
         self.document.recompute()
         self.assertNotEqual(second.Inputs, before)
+
+    def test_a_part_object_is_written_for_the_engine_once_a_shape(self):
+        box = self.document.addObject("Part::Box", "Box")
+        self.document.recompute()
+        model = api.import_model(box)
+        first = models.source_of(model)
+        self.assertEqual(models.source_of(model), first)
+        box.Length = 17
+        self.document.recompute()
+        self.assertNotEqual(models.source_of(model).digest, first.digest)
+        self.assertEqual(models.source_of(model).keys, first.keys)
 
     def test_part_and_mesh_objects_of_the_document_become_models(self):
         box = self.document.addObject("Part::Box", "Box")

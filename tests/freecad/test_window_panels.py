@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the panels do while the engine is still at work, what clicks in the 3D view choose, and where errors show."""
 import os
+import subprocess
 import tempfile
 import unittest
 from unittest import mock
@@ -53,16 +54,18 @@ class Panels(unittest.TestCase):
             App.closeDocument(name)
         self.folder.cleanup()
 
-    def hood(self):
+    def hood(self, **region):
         model = api.import_model(HOOD, self.document)
         target = api.target_line(model, LINE, slide=[0, 30, 60, 30, 0], tolerance=2, on_surface=True)
+        if region:
+            api.region(target, **region)
         window.view().viewIsometric()
         window.view().fitAll()
         window.settle(0.2)
         return target
 
     def test_a_drag_right_after_opening_is_followed_at_once_and_then_finely(self):
-        self.hood()
+        self.hood(roi_distance=400)
         begun = mock.Mock()
         real = session.MoveSession.prepare
 
@@ -73,21 +76,34 @@ class Panels(unittest.TestCase):
         with mock.patch.object(session.MoveSession, "prepare", prepare_when_seen):
             panel = open_panel("Tapeline_Move")
             seen, shown = [], panel._previewed
-            panel._previewed = lambda made: (seen.append(made[1]), shown(made), begun(panel.message.text()))
+            panel._previewed = lambda made: (shown(made), seen.append((made[1], panel.latency)),
+                                             begun(panel.message.text()))
             window.wait_until(lambda: panel.editing.base is not None, 20, "the control points")
             start = panel.editing.handles.pixel_of(2)
             window.drag(start, start + np.array([20.0, 15.0]), steps=10)
             window.wait_until(lambda: seen, 5, "the first preview")
-            first = panel.latency
-            self.assertFalse(seen[0])
+            self.assertFalse(seen[0][0])
             self.assertIn("Preparing", begun.call_args_list[0].args[0])
             window.wait_until(lambda: panel.result is not None, 40, "the exact result")
             start = panel.editing.handles.pixel_of(2)
             window.drag(start, start + np.array([10.0, 5.0]), steps=5)
-            window.wait_until(lambda: seen[-1], 20, "a fine preview")
+            window.wait_until(lambda: seen[-1][0], 20, "a fine preview")
+        fine = next(latency for is_fine, latency in seen if is_fine)
         vertices = len(panel.order.place().vertices)
-        print(f"first update, coarse: {first:.3f} s; fine: {panel.latency:.3f} s; region: {vertices} vertices")
-        self.assertLess(first, 0.5)
+        print(f"first update, coarse: {seen[0][1]:.3f} s; fine: {fine:.3f} s; region: {vertices} vertices")
+        self.assertLess(seen[0][1], 0.5)
+
+    def test_a_surface_too_slow_for_the_budget_is_followed_on_coarse_triangles_while_the_mouse_moves(self):
+        self.hood()
+        panel = open_panel("Tapeline_Move")
+        window.wait_until(lambda: panel.result is not None, 40, "the exact result")
+        session._held_for(panel.order).pace = 0.4  # too slow for a budget of 100 ms, good enough for five times that
+        seen, shown = [], panel._previewed
+        panel._previewed = lambda made: (seen.append((panel._patient, made[1])), shown(made))
+        start = panel.editing.handles.pixel_of(2)
+        window.drag(start, start + np.array([15.0, 10.0]), steps=6)
+        window.wait_until(lambda: (True, True) in seen, 20, "a fine preview when the mouse stands still")
+        self.assertEqual(seen[0], (False, False))
 
     def test_a_target_that_was_just_made_is_prepared_before_its_move_is_opened(self):
         self.hood()
@@ -118,6 +134,16 @@ class Panels(unittest.TestCase):
         window.view().fitAll()
         window.settle(0.2)
         return lines, target
+
+    def test_a_line_that_is_clicked_while_lines_are_found_is_chosen(self):
+        lines, _ = self.roof_with_target()
+        panel = open_panel("Tapeline_FindLines")
+        window.wait_until(lambda: panel.found, 30, "the lines")
+        click_at(np.asarray(lines[60].points).mean(axis=0))
+        self.assertEqual(panel.table.currentRow(), lines[60].id)
+        self.assertTrue(panel.accept())
+        picked, = Gui.Selection.getSelectionEx()
+        self.assertEqual(picked.SubElementNames, (f"Edge{lines[60].id + 1}",))
 
     def test_lines_of_a_region_are_chosen_by_clicks(self):
         lines, _ = self.roof_with_target()
@@ -188,6 +214,15 @@ class Panels(unittest.TestCase):
             box.close()
         self.assertFalse(Gui.Control.activeDialog())
 
+    def test_freecad_that_is_closed_in_mid_solve_ends_without_a_crash(self):
+        script = os.path.join(self.folder.name, "leave.py")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write(LEAVE.format(path=str(HOOD), line=LINE))
+        done = subprocess.run(["freecad", script], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              check=False, timeout=60)
+        self.assertIn("leaving while 2 solve", done.stdout + done.stderr)
+        self.assertEqual(done.returncode, 0, done.stderr[-400:])
+
     def test_choices_are_shown_in_words_and_stored_as_the_engine_names_them(self):
         api.target_line(api.import_model(PANEL, self.document), slide=SLIDE)
         panel = open_panel("Tapeline_Move")
@@ -198,6 +233,36 @@ class Panels(unittest.TestCase):
         self.assertTrue(panel.accept())
         self.assertEqual(self.document.FeatureLineMove.Crease, "keep")
 
+
+# Solves again and again in two threads, and closes FreeCAD's window meanwhile.
+LEAVE = """
+import sys
+from PySide import QtCore
+import FreeCAD as App, FreeCADGui as Gui
+
+def begin():
+    from freecad.tapeline import api, solving, worker
+
+    document = App.newDocument("Leave")
+    target = api.target_line(api.import_model({path!r}, document), {line!r}, slide=[0, 30, 60, 30, 0])
+    order = solving.order_for(target)
+
+    def work(progress, cancel):
+        while not cancel.is_set():
+            solving.results.clear()
+            order.solve(progress, cancel)
+
+    tasks = [worker.Task(work) for _ in range(2)]
+
+    def leave():
+        print("leaving while", sum(task.running for task in tasks), "solve", file=sys.__stdout__, flush=True)
+        App.closeDocument(document.Name)
+        Gui.getMainWindow().close()
+
+    QtCore.QTimer.singleShot(600, leave)
+
+QtCore.QTimer.singleShot(500, begin)
+"""
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,8 +3,10 @@
 
 FreeCAD's mesh kernel holds single precision, so meshes are for the eye only. The doubles stay in list properties, which
 FreeCAD saves as binary doubles (a test holds that they come back bit for bit)."""
+import functools
 import hashlib
 import io
+import os
 
 import FreeCAD as App
 import Mesh
@@ -34,8 +36,16 @@ def digest(*parts):
 
 
 def file_digest(path):
+    """SHA-256 of a file, read again only where its size or its date says that it changed."""
+    state = os.stat(path)
+    return _file_digest(os.path.abspath(path), state.st_size, state.st_mtime_ns)
+
+
+@functools.lru_cache(64)
+def _file_digest(path, *_):
     with open(path, "rb") as file:
-        return hashlib.sha256(file.read()).hexdigest()
+        return hashlib.file_digest(file, "sha256").hexdigest() if hasattr(hashlib, "file_digest") else (
+            hashlib.sha256(file.read()).hexdigest())
 
 
 def display_mesh(vertices, faces):

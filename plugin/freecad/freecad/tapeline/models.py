@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From document objects to the engine's models. A `Source` is plain data, taken from the document in the window's
 thread; reading it may then happen in any thread."""
+import atexit
+import functools
 import os
+import shutil
 import tempfile
 import threading
 from dataclasses import dataclass, field
@@ -37,12 +40,22 @@ class Source:
         model.write(path)
 
 
-def _shape_source(base):
-    """The exact shape of a Part object, as the BREP text that FreeCAD writes."""
+@functools.lru_cache(1)
+def _shapes_folder():
+    """Where shapes of Part objects are written for the engine; gone when FreeCAD ends."""
     folder = tempfile.mkdtemp(prefix="tapeline_")
-    path = os.path.join(folder, "shape.brep")
-    base.Shape.exportBrep(path)
-    return path, arrays.file_digest(path)
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
+def _shape_source(base):
+    """The exact shape of a Part object, as the BREP text that FreeCAD writes; one file for one shape."""
+    written = os.path.join(_shapes_folder(), "new.brep")
+    base.Shape.exportBrep(written)
+    digest = arrays.file_digest(written)
+    path = os.path.join(_shapes_folder(), digest + ".brep")
+    os.replace(written, path)
+    return path, digest
 
 
 def source_of(obj):

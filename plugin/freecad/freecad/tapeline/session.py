@@ -16,6 +16,7 @@ class Held:
     def __init__(self, order):
         self.editor = engine.module().Editor(order.model(), order.feature_line(), **order.keys)
         self.ready = False
+        self.pace = 0.0  # seconds that its last preview took
         self._lock = threading.Lock()
 
     def prepare(self, order, progress=None, cancel=None):
@@ -29,6 +30,8 @@ class Held:
         finally:
             self._lock.release()
 
+
+SLACK = 3  # times the budget that a preview may take before coarse triangles are better
 
 _held = Memory(3)
 _making = threading.Lock()
@@ -72,11 +75,16 @@ class MoveSession:
         _held_for(order).prepare(order, progress, cancel)
 
     def preview(self, order, budget_ms, progress=None, cancel=None):
-        """The engine's preview within a time budget, and whether it stands on the move's own triangles."""
-        rough = None if is_warm(order) else coarse(order)
-        held = _held_for(rough or order)
+        """The engine's preview within a time budget, and whether it stands on the move's own triangles: not where these
+        are yet to be prepared or have taken far more than the budget before."""
+        held = _held_for(order)
+        rough = coarse(order) if not held.ready or 1000 * held.pace > SLACK * budget_ms else None
+        if rough is not None:
+            held = _held_for(rough)
         held.prepare(rough or order, progress, cancel)
-        return held.editor.preview(order.target(), budget_ms, progress=progress, cancel=cancel), rough is None
+        preview = held.editor.preview(order.target(), budget_ms, progress=progress, cancel=cancel)
+        held.pace = preview.seconds
+        return preview, rough is None
 
     def solve(self, order, progress=None, cancel=None):
         """The exact result, the same as the document object computes."""

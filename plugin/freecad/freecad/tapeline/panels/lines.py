@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Panel of Find feature lines: thresholds with sliders, the lines found, numbered in the 3D view as they change."""
 import FreeCADGui as Gui
+import numpy as np
 from PySide import QtCore, QtGui
 
 from .. import api, models, properties
 from ..objects import line_set
 from ..scene.line_preview import LinePreview
+from ..scene.picking import SurfacePicker
 from ..text import QT_TRANSLATE_NOOP, translate
 from .base import Panel, SavedVisibility, number
 
@@ -25,6 +27,7 @@ class LinesPanel(Panel):
         now = properties.keys(lines, ["lines"]) if lines is not None else {}
         self._build(now)
         self.preview = self.decorate(LinePreview(self.view))
+        self.picker = self.decorate(SurfacePicker(self.view, self._picked))
         if lines is not None:
             self.decorate(SavedVisibility(lines))
         self.update()
@@ -71,17 +74,31 @@ class LinesPanel(Panel):
 
     def update(self):
         source, keys = self.source, self.keys()
-        self.compute(lambda progress, cancel: line_set.find(models.load(source), keys), self._show)
 
-    def _show(self, found):
+        def work(progress, cancel):
+            model = models.load(source, progress, cancel)
+            return model, line_set.find(model, keys)
+
+        self.compute(work, self._show)
+
+    def _show(self, made):
+        model, found = made
         self.found = found
+        self.picker.set_surface(model.vertices, model.faces)
         self.table.clear()
         for line in found:
             self.table.addItem(line_set.describe(line))
         self.preview.show([(str(line.id), line_set.closed_points(line)) for line in found])
-        self.say(translate("Tapeline", "Found: {}. Pick one in the list or, after OK, in the 3D view.")
+        self.say(translate("Tapeline", "Found: {}. Pick one in the list or by a click on it.")
                  .format(len(found)) if found else
                  translate("Tapeline", "No edge is as sharp as this: lower the crease angle."), bad=not found)
+
+    def _picked(self, place):
+        """A click on a line, which is a click on its entry of the list."""
+        index = place.line([np.asarray(line_set.closed_points(line)) for line in self.found])
+        if index >= 0:
+            self.table.setCurrentRow(index)
+        return index >= 0
 
     def _mark(self, index):
         self.preview.mark(index)

@@ -232,8 +232,9 @@ class MovePanel(Panel):
         self.overlay.show(preview.vertices, preview.faces)
         self._paint()
         self._show_verdict(preview.placement)
+        ready = fine or session.is_warm(self.preview_order())
         self.say(self.refusal or (
-            translate("Tapeline", "Preview; the exact surface comes when the mouse rests.") if fine else
+            translate("Tapeline", "Preview; the exact surface comes when the mouse rests.") if ready else
             translate("Tapeline", "Preparing… The preview is coarse until finer triangles are ready.")),
             bad=bool(self.refusal))
         self._rest.start(settings.rest_delay())
@@ -243,7 +244,7 @@ class MovePanel(Panel):
             self.strip.show_measures(measures)
             return
         self.strip.mark_old()
-        if fine and not self._patient and not self.background.busy:
+        if ready and not self._patient and not self.background.busy:
             self._preview(PATIENCE)
 
     def _released(self):

@@ -395,7 +395,7 @@
     </message>
     <message>
       <location filename="../../panels/lines.py" />
-      <source>Found: {}. Pick one in the list or, after OK, in the 3D view.</source>
+      <source>Found: {}. Pick one in the list or by a click on it.</source>
       <translation type="unfinished" />
     </message>
     <message>

@@ -395,8 +395,8 @@
     </message>
     <message>
       <location filename="../../panels/lines.py" />
-      <source>Found: {}. Pick one in the list or, after OK, in the 3D view.</source>
-      <translation>Gefunden: {}. Wählen Sie eine in der Liste oder nach OK in der 3D-Ansicht.</translation>
+      <source>Found: {}. Pick one in the list or by a click on it.</source>
+      <translation>Gefunden: {}. Wählen Sie eine in der Liste oder durch einen Klick auf sie.</translation>
     </message>
     <message>
       <location filename="../../panels/check.py" />

@@ -395,8 +395,8 @@
     </message>
     <message>
       <location filename="../../panels/lines.py" />
-      <source>Found: {}. Pick one in the list or, after OK, in the 3D view.</source>
-      <translation>Trouvées : {}. Choisissez-en une dans la liste ou, après OK, dans la vue 3D.</translation>
+      <source>Found: {}. Pick one in the list or by a click on it.</source>
+      <translation>Trouvées : {}. Choisissez-en une dans la liste ou d'un clic sur elle.</translation>
     </message>
     <message>
       <location filename="../../panels/check.py" />
