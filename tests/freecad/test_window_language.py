@@ -8,7 +8,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import window
 from common import PANEL, SLIDE
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from freecad.tapeline import api, translation_folders
 from freecad.tapeline.panels.base import Panel
@@ -61,6 +61,22 @@ class Languages(unittest.TestCase):
             api.target_line(self.document.StylingModel, "9")
         described = self.document.TargetLine.getDocumentationOfProperty("Length")
         self.assertEqual(App.Qt.translate("App::Property", described), "Länge der Ziellinie")
+
+    def test_the_preferences_page_speaks_german(self):
+        Gui.setLocale("German")
+        words = []
+
+        def look():
+            for dialog in QtGui.QApplication.topLevelWidgets():
+                if dialog.isVisible() and dialog.metaObject().className().endswith("DlgPreferencesImp"):
+                    words.extend(label.text() for label in dialog.findChildren(QtGui.QLabel))
+                    window.keep("18_german_preferences", dialog.grab().toImage())
+                    dialog.reject()
+
+        QtCore.QTimer.singleShot(1500, look)
+        Gui.showPreferences("Tapeline", 0)
+        self.assertIn("Zeit für eine Vorschau beim Ziehen", words)
+        self.assertNotIn("Time for a preview while dragging", words)
 
     def test_each_language_is_compiled(self):
         folder = pathlib.Path(api.__file__).parent / "resources" / "translations"

@@ -169,9 +169,10 @@ class RegionPanel(Panel):
         self.compute(work, self._show)
 
     def _update_quickly(self):
-        """While the slider moves: the band on the triangles that are there; the exact one follows."""
+        """While the slider moves: the band on the triangles that are there; the exact one follows. Vertices and lines go
+        by the numbers of the model before these triangles, so with them only the exact one comes."""
         self._rest.start(settings.rest_delay())
-        if self.shown is None or self.fixed:
+        if self.shown is None or self.fixed or any(self._words(key) for key in LINE_ROLES):
             return
         try:
             shown, order = self.shown, self.order()
