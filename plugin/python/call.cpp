@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/python/call.h"
 
+#include "plugin/runner/keywords.h"
+
+#include <nlohmann/json.hpp>
+
 namespace tapeline::python {
 
-Call::Call(py::object progress, py::object cancel) : progress_(std::move(progress)), cancel_(std::move(cancel))
+Call::Call(py::object progress, py::object cancel, const py::object& threads)
+    : progress_(std::move(progress)), cancel_(std::move(cancel))
 {
     if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0) {
         raise({ErrorKind::usage, "progress must be a function of a fraction and a stage"});
@@ -11,6 +16,9 @@ Call::Call(py::object progress, py::object cancel) : progress_(std::move(progres
     if (!cancel_.is_none() && !py::hasattr(cancel_, "is_set")) {
         raise({ErrorKind::usage, "cancel must have a method is_set(), as threading.Event has"});
     }
+    Job job;
+    value(set_command_keyword(job, "threads", json_of(threads)));
+    threads_ = job.command.threads;
 }
 
 bool Call::goes_on(double fraction, std::string_view stage) const

@@ -4,6 +4,7 @@
 #include "kernel/progress.h"
 #include "plugin/python/values.h"
 #include "plugin/runner/guard.h"
+#include "plugin/runner/threads.h"
 
 #include <optional>
 #include <utility>
@@ -12,10 +13,11 @@ namespace tapeline::python {
 
 /// One long call into Tapeline: runs it without the GIL, takes the GIL back for each progress report, there lets a
 /// signal (Ctrl-C) through, asks `cancel.is_set()` and calls `progress(fraction, stage)`, whose False cancels. An
-/// exception that the callback throws ends the call and goes on to the caller.
+/// exception that the callback throws ends the call and goes on to the caller. `threads` limits the call alone, checked
+/// as the flag of that name; 0 = as many as there are.
 class Call {
 public:
-    Call(py::object progress, py::object cancel);
+    Call(py::object progress, py::object cancel, const py::object& threads);
 
     /// Runs `step(const Progress&) -> Result<T>` and gives its value.
     template <class Step>
@@ -23,8 +25,10 @@ public:
     {
         auto result = [&] {
             const py::gil_scoped_release released;
-            return guarded(
-                [&] { return step(Progress([this](double f, std::string_view s) { return report(f, s); })); });
+            return on_threads(threads_, [&] {
+                return guarded(
+                    [&] { return step(Progress([this](double f, std::string_view s) { return report(f, s); })); });
+            });
         }();
         if (thrown_) {
             throw py::error_already_set(std::move(*thrown_));
@@ -37,6 +41,7 @@ private:
     bool goes_on(double fraction, std::string_view stage) const;
 
     py::object progress_, cancel_;
+    int threads_ = 0;
     std::optional<py::error_already_set> thrown_;
 };
 
@@ -44,7 +49,7 @@ private:
 template <class Step>
 auto without_gil(const Step& step)
 {
-    return Call(py::none(), py::none()).run([&](const Progress&) { return step(); });
+    return Call(py::none(), py::none(), py::none()).run([&](const Progress&) { return step(); });
 }
 
 } // namespace tapeline::python

@@ -15,6 +15,7 @@ namespace {
 struct EditorObject {
     std::shared_ptr<const HeldModel> model;
     std::unique_ptr<Editor> editor;
+    py::object threads;
 };
 
 /// tapeline.Preview
@@ -23,16 +24,18 @@ struct PreviewObject {
     py::capsule owner() const { return keep(preview); }
 };
 
-std::unique_ptr<EditorObject> make_editor(const ModelObject& model, const LineObject& line, const py::kwargs& keywords)
+std::unique_ptr<EditorObject> make_editor(const ModelObject& model, const LineObject& line, py::object threads,
+                                          const py::kwargs& keywords)
 {
+    Call(py::none(), py::none(), threads); // checks them
     BoundJob bound = bind_job(model, line, py::none(), keywords, {"target", "remesh", "region", "move", "gate"});
-    return std::make_unique<EditorObject>(
-        EditorObject{model.held, std::make_unique<Editor>(std::move(bound.job), std::move(bound.inputs))});
+    return std::make_unique<EditorObject>(EditorObject{
+        model.held, std::make_unique<Editor>(std::move(bound.job), std::move(bound.inputs)), std::move(threads)});
 }
 
 void start(const EditorObject& self, const TargetObject& target, py::object progress, py::object cancel)
 {
-    Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    Call(std::move(progress), std::move(cancel), self.threads).run([&](const Progress& watched) {
         return self.editor->start(target.line, watched);
     });
 }
@@ -40,15 +43,15 @@ void start(const EditorObject& self, const TargetObject& target, py::object prog
 PreviewObject preview(const EditorObject& self, const TargetObject& target, double budget_ms, py::object progress,
                       py::object cancel)
 {
-    return {
-        std::make_shared<EditorPreview>(Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    return {std::make_shared<EditorPreview>(
+        Call(std::move(progress), std::move(cancel), self.threads).run([&](const Progress& watched) {
             return self.editor->preview(target.line, budget_ms, watched);
         }))};
 }
 
 ResultObject solve(const EditorObject& self, const TargetObject& target, py::object progress, py::object cancel)
 {
-    auto outcome = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    auto outcome = Call(std::move(progress), std::move(cancel), self.threads).run([&](const Progress& watched) {
         return self.editor->solve(target.line, watched);
     });
     return {self.editor->job(), self.editor->inputs_with(target.line), std::move(outcome)};
@@ -112,8 +115,8 @@ void add_edits(py::module_& module)
     py::class_<EditorObject>(
         module, "Editor",
         "Follows a target while it is dragged about: quick previews, exact results. Keywords as those of "
-        "move(). May be used from several threads at once.")
-        .def(py::init(&make_editor), py::arg("model"), py::arg("line"))
+        "move(); `threads` holds for all its calls. May be used from several threads at once.")
+        .def(py::init(&make_editor), py::arg("model"), py::arg("line"), py::kw_only(), py::arg("threads") = 0)
         .def("start", &start, py::arg("target"), py::kw_only(), py::arg("progress") = py::none(),
              py::arg("cancel") = py::none(),
              "Prepares previews with the region for this target; otherwise the first preview does.")

@@ -13,12 +13,13 @@ namespace tapeline::python {
 
 namespace {
 
-ModelObject read(const py::object& path, py::object progress, py::object cancel, const py::kwargs& keywords)
+ModelObject read(const py::object& path, py::object progress, py::object cancel, const py::object& threads,
+                 const py::kwargs& keywords)
 {
     Job job;
     value(set_keywords(job, json_of(keywords), {"import"}));
     const std::string name = path_text(path);
-    return {Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    return {Call(std::move(progress), std::move(cancel), threads).run([&](const Progress& watched) {
         return hold_model(name, job.import, watched);
     })};
 }
@@ -73,10 +74,10 @@ std::string bound_text(const py::object& bound)
 }
 
 TargetObject fit_target(const ModelObject& self, const LineObject& line, py::object progress, py::object cancel,
-                        const py::kwargs& keywords)
+                        const py::object& threads, const py::kwargs& keywords)
 {
     const BoundJob bound = bind_job(self, line, py::none(), keywords, {"target", "remesh"});
-    const Preparation made = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    const Preparation made = Call(std::move(progress), std::move(cancel), threads).run([&](const Progress& watched) {
         Stopwatch watch;
         return prepare_target(bound.job, watch, watched, bound.inputs);
     });
@@ -84,10 +85,10 @@ TargetObject fit_target(const ModelObject& self, const LineObject& line, py::obj
 }
 
 RegionObject region(const ModelObject& self, const LineObject& line, const py::object& target, py::object progress,
-                    py::object cancel, const py::kwargs& keywords)
+                    py::object cancel, const py::object& threads, const py::kwargs& keywords)
 {
     const BoundJob bound = bind_job(self, line, target, keywords, {"target", "remesh", "region", "move"});
-    Placing placing = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    Placing placing = Call(std::move(progress), std::move(cancel), threads).run([&](const Progress& watched) {
         return place_job(bound.job, bound.inputs, watched);
     });
     auto model = std::make_shared<HeldModel>();
@@ -113,7 +114,7 @@ void add_model(py::module_& module)
         "A surface model: one triangle mesh in mm and, for CAD input, where its triangles come from. "
         "Never changed.")
         .def_static("read", &read, py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
-                    py::arg("cancel") = py::none(),
+                    py::arg("cancel") = py::none(), py::arg("threads") = 0,
                     "Reads STEP, IGES, BREP, STL, OBJ, PLY or OFF, told apart by content. Keywords: section import "
                     "of options().")
         .def_static("from_arrays", &from_arrays, py::arg("vertices"), py::arg("faces"), py::kw_only(),
@@ -170,11 +171,11 @@ void add_model(py::module_& module)
         .def("line_through", &line_through_vertices, py::arg("vertices"),
              "The chain of these vertex numbers as a FeatureLine; first = last makes it closed.")
         .def("fit_target", &fit_target, py::arg("line"), py::kw_only(), py::arg("progress") = py::none(),
-             py::arg("cancel") = py::none(),
+             py::arg("cancel") = py::none(), py::arg("threads") = 0,
              "TargetLine fitted to the line and changed as the keywords say, as `tapeline target`. Keywords: "
              "sections target and remesh.")
         .def("region", &region, py::arg("line"), py::arg("target") = py::none(), py::kw_only(),
-             py::arg("progress") = py::none(), py::arg("cancel") = py::none(),
+             py::arg("progress") = py::none(), py::arg("cancel") = py::none(), py::arg("threads") = 0,
              "Region that a move of the line to the target (None: the keywords say it) would deform, and its "
              "placement. Keywords: sections target, remesh, region and move.");
 }
@@ -194,7 +195,8 @@ void add_line(py::module_& module)
         .def_property_readonly("crease_angle_max", number(&FeatureLine::crease_angle_max), "float [deg].")
         .def_property_readonly(
             "vertices", [](const LineObject& self) { return copied(self.held.line.vertices); },
-            "(k,) int32, vertex numbers in the model, in order.")
+            "(k,) int32, vertex numbers in the model, in order. Those from len(model.vertices) on are new ones that "
+            "part() puts on the long edges of a CAD model, as a move does; `points` has their places too.")
         .def_property_readonly(
             "cad_edges", [](const LineObject& self) { return copied(self.held.line.cad_edges); },
             "(j,) int32, CAD edges along the line, ascending.")
@@ -203,16 +205,21 @@ void add_line(py::module_& module)
             "How commands and job files name the line, e.g. '0@10%..85%'; empty for a chain of vertices.")
         .def_property_readonly(
             "points",
-            [](const LineObject& self) { return copied(line_points(self.model->imported.model.mesh, self.held.line)); },
+            [](const LineObject& self) { return copied(line_points(self.model_of_vertices().mesh, self.held.line)); },
             "(k, 3) float64 [mm], positions of the vertices.")
         .def(
             "part",
-            [](const LineObject& self, const py::object& from, const py::object& to) {
-                return LineObject{self.model,
-                                  value(held_part(*self.model, self.held, bound_text(from), bound_text(to)))};
+            [](const LineObject& self, const py::object& from, const py::object& to, const py::kwargs& keywords) {
+                Job job;
+                value(set_keywords(job, json_of(keywords), {"remesh"}));
+                const std::string first = bound_text(from), last = bound_text(to);
+                return LineObject{self.model, without_gil([&] {
+                                      return held_part(*self.model, self.held, first, last, job.remesh);
+                                  })};
             },
             py::arg("start"), py::arg("end"),
-            "The part from `start` to `end`, arc length in mm (a number) or percent ('10%').");
+            "The part from `start` to `end`, arc length in mm (a number) or percent ('10%'), as --line ID@START..END. "
+            "Keywords: section remesh, which says whether long edges are split up first, and how far.");
 }
 
 void add_region(py::module_& module)

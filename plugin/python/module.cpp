@@ -19,4 +19,5 @@ PYBIND11_MODULE(_tapeline, module)
     python::add_targets(module);
     python::add_moves(module);
     python::add_edits(module);
+    python::add_comparisons(module);
 }

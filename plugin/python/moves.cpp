@@ -16,10 +16,10 @@ namespace tapeline::python {
 namespace {
 
 ResultObject move(const ModelObject& model, const LineObject& line, const py::object& target, py::object progress,
-                  py::object cancel, const py::kwargs& keywords)
+                  py::object cancel, const py::object& threads, const py::kwargs& keywords)
 {
     BoundJob bound = bind_job(model, line, target, keywords, {"target", "remesh", "region", "move", "gate"});
-    auto outcome = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    auto outcome = Call(std::move(progress), std::move(cancel), threads).run([&](const Progress& watched) {
         return solve_job(bound.job, bound.inputs, watched);
     });
     return {std::move(bound.job), std::move(bound.inputs), std::make_shared<JobOutcome>(std::move(outcome))};
@@ -33,7 +33,7 @@ void save_result_job(const ResultObject& self, const py::object& path, const py:
 }
 
 void write(const ResultObject& self, const py::object& path, py::object progress, py::object cancel,
-           const py::kwargs& keywords)
+           const py::object& threads, const py::kwargs& keywords)
 {
     Job job = self.job;
     job.outputs = {};
@@ -41,7 +41,7 @@ void write(const ResultObject& self, const py::object& path, py::object progress
         keywords["out"] = path; // the dictionary is this call's own
     }
     value(set_keywords(job, json_of(keywords), {"outputs"}));
-    Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    Call(std::move(progress), std::move(cancel), threads).run([&](const Progress& watched) {
         return check_output_names(job).and_then([&] {
             JobOutcome outcome = *self.outcome;
             Stopwatch watch;
@@ -79,11 +79,9 @@ ModelObject moved_model(const ResultObject& self)
     return {without_gil([&] {
         const MoveResult& move = self.outcome->move;
         ImportSettings settings;
-        return hold_mesh(Mesh{move.V, move.rest.mesh.F}, settings).map([&](const auto& held) {
-            auto own = std::make_shared<HeldModel>(*held);
-            own->settings.units = self.job.import.units;
-            return std::shared_ptr<const HeldModel>(std::move(own));
-        });
+        settings.units = self.job.import.units;
+        // Divided here and multiplied there, as writing and reading do.
+        return hold_mesh(Mesh{move.V / unit_length_mm(settings.units), move.rest.mesh.F}, settings);
     })};
 }
 
@@ -164,25 +162,17 @@ void add_result(py::module_& module)
         .def("save_job", &save_result_job, py::arg("path"), py::arg("target_path") = py::none(),
              "Writes the job file that `tapeline run` repeats to the same bytes, and beside it what it needs: "
              "NAME.target.json (or `target_path`), for a line given by vertices NAME.line.txt, for a model "
-             "from arrays NAME.model.obj in mm.")
+             "from arrays NAME.model.obj in its unit.")
         .def("write", &write, py::arg("path") = py::none(), py::kw_only(), py::arg("progress") = py::none(),
-             py::arg("cancel") = py::none(),
+             py::arg("cancel") = py::none(), py::arg("threads") = 0,
              "Writes the result to `path` and to the keywords of section outputs (rest, stats, report, "
              "pictures, line_vertices, save_target, ascii), all or none.");
 }
 
-py::object run_file(const py::object& job, py::object progress, py::object cancel)
+py::object run_file(const py::object& job, py::object progress, py::object cancel, const py::object& threads)
 {
-    const Job read = [&] {
-        if (py::isinstance<py::dict>(job)) {
-            return value(parse_job(json_text(json_of(job)), "the job", {}));
-        }
-        return value(read_job(path_text(job)));
-    }();
-    if (read.input.empty()) {
-        raise({ErrorKind::usage, "the job's key 'input' is missing; name the model file"});
-    }
-    const JobOutcome outcome = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    const Job read = job_of(job);
+    const JobOutcome outcome = Call(std::move(progress), std::move(cancel), threads).run([&](const Progress& watched) {
         return run_job(read, watched);
     });
     return object_of(stats_json(read, outcome));
@@ -190,16 +180,26 @@ py::object run_file(const py::object& job, py::object progress, py::object cance
 
 } // namespace
 
+Job job_of(const py::object& job)
+{
+    Job read = py::isinstance<py::dict>(job) ? value(parse_job(json_text(json_of(job)), "the job", {}))
+                                             : value(read_job(path_text(job)));
+    if (read.input.empty()) {
+        raise({ErrorKind::usage, "the job's key 'input' is missing; name the model file"});
+    }
+    return read;
+}
+
 void add_moves(py::module_& module)
 {
     add_result(module);
     module.def("move", &move, py::arg("model"), py::arg("line"), py::arg("target") = py::none(), py::kw_only(),
-               py::arg("progress") = py::none(), py::arg("cancel") = py::none(),
+               py::arg("progress") = py::none(), py::arg("cancel") = py::none(), py::arg("threads") = 0,
                "Moves the line to the target (None: keywords such as slide say it), as `tapeline move`: the "
                "same input gives the same bytes. Keywords: sections target, remesh, region, move and gate. A "
                "missed gate is no error; see MoveResult.gates.");
     module.def("run_job", &run_file, py::arg("job"), py::kw_only(), py::arg("progress") = py::none(),
-               py::arg("cancel") = py::none(),
+               py::arg("cancel") = py::none(), py::arg("threads") = 0,
                "Runs a job file, or the same as a dict (names count from the current folder), with all its "
                "outputs, as `tapeline run`; returns its statistics.");
 }

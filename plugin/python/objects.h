@@ -22,6 +22,7 @@ struct ModelObject {
 struct LineObject {
     std::shared_ptr<const HeldModel> model;
     HeldLine held;
+    const Model& model_of_vertices() const { return held.refined ? *held.refined : model->imported.model; }
 };
 
 /// tapeline.TargetLine
@@ -46,6 +47,9 @@ struct BoundJob {
 BoundJob bind_job(const ModelObject& model, const LineObject& line, const py::object& target,
                   const py::kwargs& keywords, std::initializer_list<std::string_view> sections);
 
+/// A job file, or the same as a dict (names count from the current folder).
+Job job_of(const py::object& job);
+
 /// tapeline.MoveResult
 struct ResultObject {
     Job job;
@@ -63,5 +67,6 @@ void add_models(py::module_& module);
 void add_targets(py::module_& module);
 void add_moves(py::module_& module);
 void add_edits(py::module_& module);
+void add_comparisons(py::module_& module);
 
 } // namespace tapeline::python

@@ -45,11 +45,12 @@ TargetObject move_control_point(const TargetObject& self, int index, const py::o
 
 /// The steps that a job makes of a target it was given, on the model's surface around the line.
 TargetObject edit(const TargetObject& self, const ModelObject& model, const LineObject& line, const char* key,
-                  const py::object& setting, py::object progress, py::object cancel, const py::kwargs& keywords)
+                  const py::object& setting, py::object progress, py::object cancel, const py::object& threads,
+                  const py::kwargs& keywords)
 {
     keywords[key] = setting;
     const BoundJob bound = bind_job(model, line, py::cast(self), keywords, {"target", "remesh"});
-    const Preparation made = Call(std::move(progress), std::move(cancel)).run([&](const Progress& watched) {
+    const Preparation made = Call(std::move(progress), std::move(cancel), threads).run([&](const Progress& watched) {
         Stopwatch watch;
         return prepare_target(bound.job, watch, watched, bound.inputs);
     });
@@ -104,22 +105,22 @@ void add_edits(py::class_<TargetObject>& target)
         .def(
             "slide",
             [](const TargetObject& self, const ModelObject& model, const LineObject& line, const py::object& law,
-               py::object progress, py::object cancel, const py::kwargs& keywords) {
-                return edit(self, model, line, "slide", law, std::move(progress), std::move(cancel), keywords);
+               py::object progress, py::object cancel, const py::object& threads, const py::kwargs& keywords) {
+                return edit(self, model, line, "slide", law, std::move(progress), std::move(cancel), threads, keywords);
             },
             py::arg("model"), py::arg("line"), py::arg("law"), py::kw_only(), py::arg("progress") = py::none(),
-            py::arg("cancel") = py::none(),
+            py::arg("cancel") = py::none(), py::arg("threads") = 0,
             "Slides the curve along the model's surface, to the left of the line if positive, by `law` [mm]: "
             "one distance, or several spread evenly over its length. Keywords: sections target and remesh.")
         .def(
             "on_surface",
             [](const TargetObject& self, const ModelObject& model, const LineObject& line, py::object progress,
-               py::object cancel, const py::kwargs& keywords) {
+               py::object cancel, const py::object& threads, const py::kwargs& keywords) {
                 return edit(self, model, line, "on_surface", py::bool_(true), std::move(progress), std::move(cancel),
-                            keywords);
+                            threads, keywords);
             },
             py::arg("model"), py::arg("line"), py::kw_only(), py::arg("progress") = py::none(),
-            py::arg("cancel") = py::none(),
+            py::arg("cancel") = py::none(), py::arg("threads") = 0,
             "Drops the curve onto the model's surface around the line. Keywords: sections target and remesh.")
         .def("fair", &faired, py::arg("limit") = 0.0,
              "Evens out the curvature, moving no control point by more than `limit` [mm]; 0 = a thousandth of "

@@ -25,16 +25,16 @@ namespace {
 /// The steps of a check; each returns whether it worked and leaves its part in the members.
 class Checker {
 public:
-    Checker(const Job& job, const Progress& progress) : job_(job), progress_(progress) {}
+    Checker(const Job& job, const Progress& progress, const CheckInputs& inputs)
+        : job_(job), progress_(progress), inputs_(inputs)
+    {
+    }
 
     Result<void> read()
     {
-        const auto keep = [](std::optional<ImportedModel>& place) {
-            return [&place](ImportedModel model) { place = std::move(model); };
-        };
         return report(0, "import")
-            .and_then([&] { return read_model(job_.input, import_options(job_.import)).map(keep(after_)); })
-            .and_then([&] { return read_model(job_.command.against, import_options(job_.import)).map(keep(before_)); })
+            .and_then([&] { return take_model(after_, inputs_.after, job_.input); })
+            .and_then([&] { return take_model(before_, inputs_.before, job_.command.against); })
             .and_then([&] { return read_record(); })
             .and_then([&] { return read_target_line(); });
     }
@@ -56,13 +56,17 @@ public:
 
     Result<void> find_line()
     {
+        if (!inputs_.line.empty()) {
+            return use_vertices(inputs_.line, "the line");
+        }
         if (!job_.command.line_vertices.empty()) {
             return read_vertex_list(job_.command.line_vertices).and_then([&](std::vector<int> vertices) {
                 return use_vertices(std::move(vertices), job_.command.line_vertices.string());
             });
         }
         if (!record_.line.empty()) {
-            return use_vertices(record_.line, job_.command.stats.string());
+            return use_vertices(record_.line,
+                                job_.command.stats.empty() ? "the statistics" : job_.command.stats.string());
         }
         if (!outcome_.measures.has_rest) {
             omit("no line is known (give --line-vertices FILE), so measures along it are left out");
@@ -109,8 +113,24 @@ private:
 
     void omit(std::string reason) { outcome_.measures.omitted.push_back(std::move(reason)); }
 
+    Result<void> take_model(std::shared_ptr<const ImportedModel>& place, const std::shared_ptr<const HeldModel>& held,
+                            const std::filesystem::path& path) const
+    {
+        if (held) {
+            place = std::shared_ptr<const ImportedModel>(held, &held->imported);
+            return {};
+        }
+        return read_model(path, import_options(job_.import)).map([&](ImportedModel model) {
+            place = std::make_shared<const ImportedModel>(std::move(model));
+        });
+    }
+
     Result<void> read_record()
     {
+        if (inputs_.record) {
+            record_ = *inputs_.record;
+            return {};
+        }
         if (job_.command.stats.empty()) {
             return {};
         }
@@ -119,6 +139,7 @@ private:
 
     Result<void> read_target_line()
     {
+        target_ = inputs_.target;
         if (job_.target.target.empty()) {
             return {};
         }
@@ -152,8 +173,9 @@ private:
         const auto count = after_->model.mesh.V.rows();
         const auto unknown = std::ranges::find_if(vertices, [&](int v) { return v >= count; });
         if (unknown != vertices.end()) {
-            return fail(ErrorKind::rejected, fmt::format("{}: vertex {} does not exist; {} has {} vertices", source,
-                                                         *unknown, job_.input.string(), count));
+            return fail(ErrorKind::rejected,
+                        fmt::format("{}: vertex {} does not exist; {} has {} vertices", source, *unknown,
+                                    inputs_.after ? "the model" : job_.input.string(), count));
         }
         const bool closed = record_.closed && vertices == record_.line;
         if (closed) {
@@ -287,7 +309,8 @@ private:
 
     const Job& job_;
     const Progress& progress_;
-    std::optional<ImportedModel> after_, before_;
+    const CheckInputs& inputs_;
+    std::shared_ptr<const ImportedModel> after_, before_;
     MoveRecord record_;
     std::optional<TargetLine> target_;
     Model rest_;
@@ -298,10 +321,10 @@ private:
 
 } // namespace
 
-Result<CheckOutcome> check_result(const Job& job, const Progress& progress)
+Result<CheckOutcome> check_result(const Job& job, const Progress& progress, const CheckInputs& inputs)
 {
     return guarded([&]() -> Result<CheckOutcome> {
-        Checker checker(job, progress);
+        Checker checker(job, progress, inputs);
         return checker.read()
             .and_then([&] {
                 checker.match();

@@ -145,7 +145,7 @@ private:
 Page make_page(const Job& job, const Comparison& c, const std::vector<int>& order)
 {
     Page page;
-    page.title = fmt::format("{}: {} methods compared", job.input.filename().string(), c.runs.size());
+    page.title = fmt::format("{}: {} methods compared", model_name(job), c.runs.size());
     page.headline = comparison_headline(c.runs, c.ranking);
     page.description = job.description;
     for (const int k : order) {

@@ -4,15 +4,14 @@
 #include "plugin/runner/guard.h"
 #include "plugin/runner/runner.h"
 #include "plugin/runner/sha256.h"
+#include "plugin/runner/threads.h"
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <fmt/format.h>
 #include <mutex>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <thread>
 
 namespace tapeline {
@@ -59,21 +58,23 @@ class Crew {
 public:
     Crew(std::size_t count, Progress progress) : fractions_(count), progress_(std::move(progress)) {}
 
-    /// Calls work(k, progress) for every k < count on `arenas`-sized shares of the processors.
+    /// Calls work(k, progress) for every k < count, on `threads` threads in all and shares of `threads_each`.
     template <class Work>
-    bool run(int threads, const Work& work)
+    bool run(int threads, int threads_each, const Work& work)
     {
         std::thread boss([&] {
-            tbb::parallel_for(
-                tbb::blocked_range<int>(0, static_cast<int>(fractions_.size()), 1),
-                [&](const tbb::blocked_range<int>& range) {
-                    for (int k = range.begin(); k != range.end(); ++k) {
-                        // An arena of its own keeps a waiting method from picking up another one's work.
-                        tbb::task_arena(threads).execute([&] { work(k, reporter(k)); });
-                        fractions_[k] = 1;
-                    }
-                },
-                tbb::simple_partitioner());
+            on_threads(threads, [&] {
+                tbb::parallel_for(
+                    tbb::blocked_range<int>(0, static_cast<int>(fractions_.size()), 1),
+                    [&](const tbb::blocked_range<int>& range) {
+                        for (int k = range.begin(); k != range.end(); ++k) {
+                            // An arena of its own keeps a waiting method from picking up another one's work.
+                            on_threads(threads_each, [&] { work(k, reporter(k)); });
+                            fractions_[k] = 1;
+                        }
+                    },
+                    tbb::simple_partitioner());
+            });
             const std::lock_guard lock(mutex_);
             done_ = true;
             changed_.notify_one();
@@ -116,7 +117,7 @@ private:
     bool done_ = false;
 };
 
-Result<Comparison> compare_steps(const Job& job, const Progress& progress)
+Result<Comparison> compare_steps(const Job& job, const JobInputs& inputs, const Progress& progress)
 {
     Stopwatch watch;
     Comparison made;
@@ -124,19 +125,18 @@ Result<Comparison> compare_steps(const Job& job, const Progress& progress)
     if (!methods) {
         return tl::unexpected(methods.error());
     }
-    auto prepared = prepare(job, watch, progress.part(0.0, 0.2));
+    auto prepared = prepare(job, watch, progress.part(0.0, 0.2), inputs);
     if (!prepared) {
         return tl::unexpected(prepared.error());
     }
     made.preparation = std::move(*prepared);
     watch.restart();
-    const auto processors =
-        static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    const int threads = allowed_threads();
     const auto count = static_cast<int>(methods->size());
-    made.threads_per_method = std::max(1, processors / count);
+    made.threads_per_method = std::max(1, threads / count);
     made.runs.resize(methods->size());
     Crew crew(methods->size(), progress.part(0.2, 1.0));
-    const bool finished = crew.run(made.threads_per_method, [&](int k, const Progress& part) {
+    const bool finished = crew.run(threads, made.threads_per_method, [&](int k, const Progress& part) {
         made.runs[k] = run_method(made.preparation, job, (*methods)[k], part);
     });
     if (!finished || !progress.report(1.0, "methods")) {
@@ -149,7 +149,8 @@ Result<Comparison> compare_steps(const Job& job, const Progress& progress)
         made.warnings.insert(made.warnings.end(), warnings->begin(), warnings->end());
     }
     made.seconds = watch.seconds();
-    return file_sha256(job.input).map([&](std::string sum) {
+    const auto sha256 = inputs.model ? Result<std::string>(inputs.model->sha256) : file_sha256(job.input);
+    return sha256.map([&](std::string sum) {
         made.input_sha256 = std::move(sum);
         return std::move(made);
     });
@@ -188,9 +189,9 @@ Job method_job(const Job& job, const std::string& method)
     return own;
 }
 
-Result<Comparison> compare_methods(const Job& job, const Progress& progress)
+Result<Comparison> compare_methods(const Job& job, const Progress& progress, const JobInputs& inputs)
 {
-    return guarded([&] { return compare_steps(job, progress); });
+    return guarded([&] { return compare_steps(job, inputs, progress); });
 }
 
 } // namespace tapeline

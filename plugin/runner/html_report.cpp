@@ -57,7 +57,7 @@ PageEntry entry_of(const Job& job, const JobOutcome& outcome)
 std::vector<std::pair<std::string, std::string>> job_facts(const Job& job, const Preparation& p, const MoveResult* move)
 {
     std::vector<std::pair<std::string, std::string>> facts = {
-        {"Model", fmt::format("{}, {}", job.input.filename().string(), p.import.format)}};
+        {"Model", fmt::format("{}, {}", model_name(job), p.import.format)}};
     const FeatureLine& line = move == nullptr ? p.line : move->correspondence.line;
     facts.emplace_back("Line", fmt::format("{:.4g} mm long, {:.3g}° sharp", line.length_mm, line.crease_angle_mean));
     facts.emplace_back("Region",
@@ -72,6 +72,8 @@ std::vector<std::pair<std::string, std::string>> job_facts(const Job& job, const
     }
     return facts;
 }
+
+std::string model_name(const Job& job) { return job.input.empty() ? "model in memory" : job.input.filename().string(); }
 
 std::string method_title(const std::string& method)
 {
@@ -96,7 +98,7 @@ std::string html_report(const Job& job, const JobOutcome& outcome, const std::ve
                         const Stage& stage)
 {
     Page page;
-    page.title = fmt::format("{}: {}", job.input.filename().string(), job.move.method);
+    page.title = fmt::format("{}: {}", model_name(job), job.move.method);
     page.headline = move_headline(outcome);
     page.description = job.description;
     page.facts = job_facts(job, outcome.preparation, &outcome.move);

@@ -10,6 +10,9 @@ namespace tapeline {
 std::vector<std::pair<std::string, std::string>> job_facts(const Job& job, const Preparation& preparation,
                                                            const MoveResult* move);
 
+/// What a page calls the job's model: its file, where it was read from one.
+std::string model_name(const Job& job);
+
 /// What a method is, in one line.
 std::string method_title(const std::string& method);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/inputs.h"
 
+#include "plugin/runner/line_refinement.h"
 #include "plugin/runner/preparation.h"
 #include "plugin/runner/sha256.h"
 #include "plugin/runner/vertex_list.h"
@@ -8,6 +9,15 @@
 #include <fmt/format.h>
 
 namespace tapeline {
+
+std::vector<int> HeldLine::chain() const
+{
+    std::vector<int> vertices = line.vertices;
+    if (line.closed) {
+        vertices.push_back(vertices.front());
+    }
+    return vertices;
+}
 
 Result<std::shared_ptr<const HeldModel>> hold_model(const std::filesystem::path& path, const ImportSettings& settings,
                                                     const Progress& progress)
@@ -69,20 +79,29 @@ Result<HeldLine> held_chain(const HeldModel& model, std::vector<int> vertices, c
     });
 }
 
-Result<HeldLine> held_part(const HeldModel& model, const HeldLine& line, const std::string& from, const std::string& to)
+Result<HeldLine> held_part(const HeldModel& model, const HeldLine& line, const std::string& from, const std::string& to,
+                           const RemeshSettings& remesh)
 {
     if (line.settings.line.empty() || line.settings.line.text.find('@') != std::string::npos) {
         return fail(ErrorKind::usage,
                     "a part can be taken of a whole feature line, not of a part or a chain of vertices");
     }
     const std::string selector = fmt::format("{}@{}..{}", line.settings.line.text, from, to);
-    std::vector<FeatureLine> lines(static_cast<std::size_t>(line.line.id) + 1);
-    lines.back() = line.line;
-    return select_line(model.imported.model, lines, selector).map([&](FeatureLine part) {
-        LineSettings own = line.settings;
-        own.line.text = selector;
-        return HeldLine{std::move(part), std::move(own)};
-    });
+    HeldLine part{{}, line.settings};
+    part.settings.line.text = selector;
+    return refine_before_choice(model.imported.model, line.line, remesh)
+        .and_then([&](std::optional<RefinedLine> refined) {
+            std::vector<FeatureLine> lines(static_cast<std::size_t>(line.line.id) + 1);
+            lines.back() = refined ? std::move(refined->line) : line.line;
+            if (refined) {
+                part.refined = std::make_shared<const Model>(std::move(refined->model));
+            }
+            return select_line(part.refined ? *part.refined : model.imported.model, lines, selector);
+        })
+        .map([&](FeatureLine chosen) {
+            part.line = std::move(chosen);
+            return std::move(part);
+        });
 }
 
 JobInputs use_held(Job& job, std::shared_ptr<const HeldModel> model, const HeldLine& line,
@@ -95,10 +114,7 @@ JobInputs use_held(Job& job, std::shared_ptr<const HeldModel> model, const HeldL
     inputs.model = std::move(model);
     inputs.target = std::move(target);
     if (line.settings.line.empty()) {
-        inputs.line = line.line.vertices;
-        if (line.line.closed) {
-            inputs.line.push_back(line.line.vertices.front());
-        }
+        inputs.line = line.chain();
     }
     return inputs;
 }

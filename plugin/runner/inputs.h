@@ -28,6 +28,11 @@ struct HeldModel {
 struct HeldLine {
     FeatureLine line;      ///< on the model as imported
     LineSettings settings; ///< how lines were found; `settings.line` is the selector, or empty: the vertices themselves
+    std::shared_ptr<const Model> refined = {}; ///< where a part needs more vertices than the model has on its long
+                                               ///< edges: the model with them, which come last
+
+    /// The vertices in order; of a closed line the first one again at the end, as `line_through` takes them.
+    std::vector<int> chain() const;
 };
 
 /// What a job takes from memory instead of from the files that it names. Everything after that is the same, so the
@@ -51,9 +56,10 @@ Result<std::shared_ptr<const HeldModel>> hold_mesh(Mesh mesh, const ImportSettin
 std::vector<HeldLine> held_lines(const HeldModel& model, const LineSettings& settings);
 /// A chain of vertices as a line: rejected when an index does not exist, otherwise as `line_through` says.
 Result<HeldLine> held_chain(const HeldModel& model, std::vector<int> vertices, const LineSettings& settings);
-/// The part FROM..TO of a whole line, each in mm or %, as in "0@FROM..TO"; fails as `select_line` does.
-Result<HeldLine> held_part(const HeldModel& model, const HeldLine& line, const std::string& from,
-                           const std::string& to);
+/// The part FROM..TO of a whole line, each in mm or %, as in "0@FROM..TO", chosen as a job chooses it (see
+/// `refine_before_choice`); fails as `select_line` does.
+Result<HeldLine> held_part(const HeldModel& model, const HeldLine& line, const std::string& from, const std::string& to,
+                           const RemeshSettings& remesh = {});
 
 /// Fills in what a job says of a held model and line, and puts what has no name in a file into the inputs.
 JobInputs use_held(Job& job, std::shared_ptr<const HeldModel> model, const HeldLine& line,

@@ -5,8 +5,11 @@
 #include "plugin/runner/job_file.h"
 #include "plugin/runner/job_outputs.h"
 #include "plugin/runner/output_set.h"
+#include "plugin/runner/preparation.h"
 
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace tapeline {
 
@@ -19,6 +22,42 @@ std::string chain_text(const std::vector<int>& chain)
         text += fmt::format("{}\n", v);
     }
     return text;
+}
+
+/// The double that gives `mm` back when a reader multiplies it by the unit's length; rounding may put it some units in the
+/// last place off the quotient, or leave none.
+std::optional<double> in_unit(double mm, double unit_mm)
+{
+    double below = mm / unit_mm, above = below;
+    for (int k = 0; k < 4; ++k) {
+        for (const double x : {below, above}) {
+            if (x * unit_mm == mm) {
+                return x;
+            }
+        }
+        below = std::nextafter(below, -std::numeric_limits<double>::infinity());
+        above = std::nextafter(above, std::numeric_limits<double>::infinity());
+    }
+    return std::nullopt;
+}
+
+/// A mesh as its file will hold it, in the unit.
+Result<Mesh> mesh_in_unit(const Mesh& mesh, const std::string& unit)
+{
+    Mesh scaled = mesh;
+    for (Eigen::Index k = 0; k < scaled.V.size(); ++k) {
+        double& x = scaled.V.data()[k];
+        const auto written = in_unit(x, unit_length_mm(unit));
+        if (!written) {
+            return fail(
+                ErrorKind::rejected,
+                fmt::format("the job cannot be saved: vertex {} at {:.17g} mm has no exact value in {}, so that "
+                            "its file would give another model; take a model in mm",
+                            k / 3, x, unit));
+        }
+        x = *written;
+    }
+    return scaled;
 }
 
 } // namespace
@@ -43,9 +82,11 @@ Result<void> save_job(Job job, const JobInputs& inputs, const std::filesystem::p
     const fs::path read_from = job.input;
     if (inputs.model && inputs.model->path.empty()) {
         job.input = beside(".model.obj");
-        job.import.units = "mm";
-        outputs.add(job.input,
-                    [&](const fs::path& file) { return write_mesh(file, inputs.model->imported.model.mesh); });
+        auto mesh = mesh_in_unit(inputs.model->imported.model.mesh, job.import.units);
+        if (!mesh) {
+            return tl::unexpected(mesh.error());
+        }
+        outputs.add(job.input, [mesh = std::move(*mesh)](const fs::path& file) { return write_mesh(file, mesh); });
     }
     if (job.outputs.out.empty()) {
         job.outputs.out = {beside(".obj")};

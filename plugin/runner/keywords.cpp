@@ -62,31 +62,41 @@ ordered_json command_names(unsigned commands)
 
 } // namespace
 
-Result<void> set_keywords(Job& job, const json& keywords, std::initializer_list<std::string_view> sections)
+Result<void> set_keywords(Job& job, const json& keywords, std::initializer_list<std::string_view> sections,
+                          unsigned commands)
 {
     std::vector<std::string> known;
+    std::vector<const Option*> options;
     for (const Option& option : option_table()) {
-        if (is_keyword(option) && std::ranges::find(sections, option.section) != sections.end()) {
+        if (is_keyword(option) && std::ranges::find(sections, option.section) != sections.end() &&
+            (option.commands & commands) != 0) {
             known.emplace_back(option.name);
+            options.push_back(&option);
         }
     }
     for (const auto& [key, value] : keywords.items()) {
-        if (std::ranges::find(known, key) == known.end()) {
+        const auto place = std::ranges::find(known, key);
+        if (place == known.end()) {
             return fail(ErrorKind::usage, fmt::format("keyword '{}' is unknown here; did you mean '{}'?",
                                                       key.substr(0, 100), nearest_word(key, known)));
         }
         if (value.is_null()) {
             continue;
         }
-        const auto option = std::ranges::find_if(option_table(), [&, &name = key](const Option& candidate) {
-            return is_keyword(candidate) && candidate.name == name &&
-                   std::ranges::find(sections, candidate.section) != sections.end();
-        });
-        if (auto done = set_option(*option, job, value, fmt::format("keyword '{}'", key)); !done) {
+        const Option& option = *options[static_cast<std::size_t>(place - known.begin())];
+        if (auto done = set_option(option, job, value, fmt::format("keyword '{}'", key)); !done) {
             return done;
         }
     }
     return {};
+}
+
+Result<void> set_command_keyword(Job& job, std::string_view name, const json& value)
+{
+    const auto option = std::ranges::find_if(option_table(), [&](const Option& candidate) {
+        return candidate.section == "command" && candidate.name == name;
+    });
+    return value.is_null() ? Result<void>() : set_option(*option, job, value, fmt::format("keyword '{}'", name));
 }
 
 ordered_json options_json()

@@ -74,4 +74,23 @@ Result<RefinedLine> refine_line(const Model& model, const FeatureLine& line, dou
     });
 }
 
+bool remeshes(const Model& model, const RemeshSettings& settings)
+{
+    const bool asked = !model.cad_face.empty() || settings.max_edge > 0;
+    return settings.remesh == "on" || (settings.remesh == "auto" && asked);
+}
+
+Result<std::optional<RefinedLine>> refine_before_choice(const Model& model, const FeatureLine& whole,
+                                                        const RemeshSettings& settings)
+{
+    constexpr double least_edges = 20, wanted_edges = 60;
+    if (!remeshes(model, settings) || longest_edge(model.mesh, whole) <= whole.length_mm / least_edges) {
+        return std::nullopt;
+    }
+    const double longest = settings.max_edge > 0 ? settings.max_edge : whole.length_mm / wanted_edges;
+    return refine_line(model, whole, longest).map([](RefinedLine refined) {
+        return std::optional<RefinedLine>(std::move(refined));
+    });
+}
+
 } // namespace tapeline

@@ -7,15 +7,9 @@
 
 namespace tapeline {
 
-Result<MoveRecord> read_move_record(const std::filesystem::path& path)
+Result<MoveRecord> move_record_of(const nlohmann::json& stats, const std::string& source)
 {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        return fail(ErrorKind::unreadable,
-                    fmt::format("cannot read the statistics {}: there is no such file", path.string()));
-    }
     try {
-        const nlohmann::json stats = nlohmann::json::parse(file);
         MoveRecord record;
         record.line = stats.at("line").at("vertices").get<std::vector<int>>();
         record.closed = stats.at("line").at("closed").get<bool>();
@@ -26,14 +20,23 @@ Result<MoveRecord> read_move_record(const std::filesystem::path& path)
             record.appended.push_back({entry.at(0).get<int>(), entry.at(1).get<int>(), entry.at(2).get<double>()});
         }
         if (std::ranges::any_of(record.line, [](int v) { return v < 0; }) || record.line.empty()) {
-            return fail(ErrorKind::unreadable,
-                        fmt::format("{}: line.vertices is not a list of indices", path.string()));
+            return fail(ErrorKind::unreadable, fmt::format("{}: line.vertices is not a list of indices", source));
         }
         return record;
     } catch (const nlohmann::json::exception&) {
         return fail(ErrorKind::unreadable,
-                    fmt::format("{}: not a statistics file; give what tapeline move --stats wrote", path.string()));
+                    fmt::format("{}: not a statistics file; give what tapeline move --stats wrote", source));
     }
+}
+
+Result<MoveRecord> read_move_record(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        return fail(ErrorKind::unreadable,
+                    fmt::format("cannot read the statistics {}: there is no such file", path.string()));
+    }
+    return move_record_of(nlohmann::json::parse(file, nullptr, false), path.string());
 }
 
 } // namespace tapeline

@@ -5,6 +5,7 @@
 #include "kernel/extension.h"
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,7 @@ struct MoveRecord {
 
 /// Reads the statistics that `tapeline move --stats` wrote. Fails (unreadable) when the file is not one.
 Result<MoveRecord> read_move_record(const std::filesystem::path& path);
+/// The same from statistics in memory; `source` is what messages call them.
+Result<MoveRecord> move_record_of(const nlohmann::json& stats, const std::string& source);
 
 } // namespace tapeline

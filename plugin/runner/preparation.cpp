@@ -71,7 +71,7 @@ public:
 
     Result<void> remesh()
     {
-        if (!remeshes()) {
+        if (!remeshes(made.model, job_.remesh)) {
             return {};
         }
         return stage("remesh", 0.4).and_then([&] { return faces_to_remesh(); }).and_then([&](const auto& faces) {
@@ -142,32 +142,20 @@ private:
                                     : line_through(made.model, inputs_.line);
     }
 
-    bool remeshes() const
-    {
-        const bool asked = !made.model.cad_face.empty() || job_.remesh.max_edge > 0;
-        return job_.remesh.remesh == "on" || (job_.remesh.remesh == "auto" && asked);
-    }
-
-    /// Where the model is remeshed anyway, a line of few long edges is split up before a part of it is chosen.
     Result<void> refine_chosen(std::vector<FeatureLine>& lines)
     {
-        constexpr double least_edges = 20, wanted_edges = 60;
-        if (!remeshes() || !inputs_.line.empty() || !job_.lines.line.names_line()) {
+        if (!inputs_.line.empty() || !job_.lines.line.names_line()) {
             return {};
         }
         const std::string& selector = job_.lines.line.text;
-        const Result<FeatureLine> whole = select_line(made.model, lines, selector.substr(0, selector.find('@')));
-        if (!whole) {
-            return tl::unexpected(whole.error());
-        }
-        if (longest_edge(made.model.mesh, *whole) <= whole->length_mm / least_edges) {
-            return {};
-        }
-        const double longest = job_.remesh.max_edge > 0 ? job_.remesh.max_edge : whole->length_mm / wanted_edges;
-        return refine_line(made.model, *whole, longest).map([&](RefinedLine refined) {
-            made.model = std::move(refined.model);
-            lines.at(static_cast<std::size_t>(refined.line.id)) = std::move(refined.line);
-        });
+        return select_line(made.model, lines, selector.substr(0, selector.find('@')))
+            .and_then([&](const FeatureLine& whole) { return refine_before_choice(made.model, whole, job_.remesh); })
+            .map([&](std::optional<RefinedLine> refined) {
+                if (refined) {
+                    made.model = std::move(refined->model);
+                    lines.at(static_cast<std::size_t>(refined->line.id)) = std::move(refined->line);
+                }
+            });
     }
 
     CorrespondenceOptions correspondence_options() const

@@ -6,6 +6,7 @@ import pathlib
 import signal
 import tempfile
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -109,6 +110,38 @@ class Threads(unittest.TestCase):
         self.assertTrue(all(0 <= fraction <= 1 for fraction in fractions))
         self.assertIn("region", [stage for _, stage, _ in reports])
         self.assertEqual({thread for _, _, thread in reports}, {threading.get_ident()})
+
+
+    def test_any_number_of_threads_gives_the_same_bytes_in_every_call(self):
+        def everything(threads):
+            model = tapeline.Model.read(shapes.SOURCE / "resources/models/panel.step", threads=threads)
+            line = model.feature_lines()[0].part("20%", "80%")
+            keys = dict(max_edge=25, roi_distance=220)
+            target = model.fit_target(line, slide=shapes.LAW, max_edge=25, threads=threads)
+            editor = tapeline.Editor(model, line, threads=threads, **keys)
+            compared = tapeline.compare(model, line, target, methods=["plate-fl", "asan-fl"], threads=threads, **keys)
+            moved = tapeline.move(model, line, target, threads=threads, **keys)
+            return [model.vertices.tobytes(), target.to_json(), moved.vertices.tobytes(),
+                    editor.preview(target).vertices.tobytes(), editor.solve(target).vertices.tobytes(),
+                    *(run.vertices.tobytes() for run in map(compared.__getitem__, compared)),
+                    str(tapeline.check(moved.rest, moved.moved, threads=threads))]
+
+        self.assertEqual(everything(1), everything(0))
+
+    def test_one_thread_uses_one_processor_only(self):
+        model, line = shapes.panel(64, 48)
+        wall, own = time.perf_counter(), time.process_time()
+        tapeline.compare(model, line, slide=[0, 40, 0], methods=["arap", "asan-fl"], threads=1)
+        wall, own = time.perf_counter() - wall, time.process_time() - own
+        self.assertLess(own, 1.1 * wall)
+
+    def test_a_number_of_threads_is_checked_as_the_flag_is(self):
+        model, line = shapes.panel()
+        for threads in (-1, 1025, 1.5, "two"):
+            for call in (tapeline.move, tapeline.Editor, tapeline.compare):
+                with self.assertRaisesRegex(tapeline.TapelineError, "'threads'") as caught:
+                    call(model, line, slide=5, threads=threads)
+                self.assertEqual(caught.exception.kind, "usage")
 
 
 class Cancelling(unittest.TestCase):

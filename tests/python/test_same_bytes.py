@@ -85,6 +85,55 @@ class SameBytes(unittest.TestCase):
         # The target went through STEP, which writes 17 digits.
         self.assertEqual(self.bytes_of("python.obj"), self.bytes_of("job.obj"))
 
+    def test_a_part_of_a_straight_cad_edge_is_the_part_that_the_command_takes(self):
+        step = shapes.SOURCE / "resources/models/bracket.step"
+        model = tapeline.Model.read(step)
+        whole = model.feature_lines()[5]
+        part = whole.part("20%", "80%")
+        self.assertAlmostEqual(part.length_mm, 0.6 * whole.length_mm, delta=whole.length_mm / 60)
+        self.assertGreater(len(part.points), 30)
+        self.assertGreaterEqual(part.vertices[1], len(model.vertices))
+        keys = dict(slide=[0, 0.5, 1.5, 2, 1.5, 0.5, 0], roi_distance=12)
+        tapeline.move(model, part, **keys).write(self.folder / "python.obj")
+        shapes.run_command(
+            "move", step, "--line", "5@20%..80%", "--slide", ",".join(map(str, keys["slide"])), "--roi-distance", 12,
+            "-o", self.folder / "command.obj",
+        )
+        self.assertEqual(self.bytes_of("python.obj"), self.bytes_of("command.obj"))
+        # A mesh is remeshed, and its line split up, only where a size is asked for.
+        V, F = shapes.crease_panel(4, 4)
+        coarse = tapeline.Model.from_arrays(V, F).feature_lines()[0]
+        self.assertEqual(len(coarse.part("25%", "75%").points), 3)
+        self.assertEqual(len(coarse.part("25%", "75%", max_edge=50).points), 9)
+
+    def test_a_saved_job_keeps_the_unit_of_the_arrays_and_runs_to_the_same_bytes(self):
+        V, F = shapes.crease_panel(jitter=0.3)
+        for units, length in (("m", 1000), ("in", 25.4), ("ft", 304.8), ("cm", 10)):
+            model = tapeline.Model.from_arrays(V / length, F, units=units)
+            # A result is a model in that unit too.
+            for name in ("first", "second"):
+                line = model.feature_lines()[0].part("20%", "80%")
+                result = tapeline.move(model, line, slide=[0, 12.5, 0])
+                result.write(self.folder / "python.obj")
+                result.save_job(self.folder / f"{name}.json")
+                tapeline.run_job(self.folder / f"{name}.json")
+                self.assertEqual(self.bytes_of("python.obj"), self.bytes_of(f"{name}.obj"), units)
+                self.assertEqual(json.loads(self.bytes_of(f"{name}.json"))["import"]["units"], units)
+                model = result.moved
+                again = tapeline.Model.read(self.folder / "python.obj", units=units)
+                self.assertEqual(model.vertices.tobytes(), again.vertices.tobytes())
+
+    def test_a_model_that_its_unit_cannot_hold_is_refused_and_nothing_is_written(self):
+        V, F = shapes.crease_panel(jitter=0.3)
+        model = tapeline.Model.from_arrays(V / 1000, F, units="m")
+        line = model.feature_lines()[0].part("20%", "80%")
+        # Remeshing puts vertices where multiples of a metre cannot be.
+        finer = model.region(line, slide=[0, 10, 0], max_edge=12).model
+        result = tapeline.move(finer, finer.feature_lines()[0].part("20%", "80%"), slide=[0, 10, 0])
+        with self.assertRaisesRegex(tapeline.TapelineError, "no exact value in m"):
+            result.save_job(self.folder / "job.json")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_an_editor_solves_to_the_bytes_of_a_move_after_any_drag(self):
         model = tapeline.Model.read(shapes.SOURCE / "resources/models/panel.step")
         line = model.feature_lines()[0].part("20%", "80%")

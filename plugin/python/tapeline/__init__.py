@@ -3,14 +3,18 @@
 
 from ._tapeline import (
     Cancelled,
+    Comparison,
     Editor,
     FeatureLine,
+    MethodRun,
     Model,
     MoveResult,
     Preview,
     Region,
     TapelineError,
     TargetLine,
+    check,
+    compare,
     move,
     options,
     run_job,

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Keywords (`**keys: Any`) are the keys of job files; `options()` lists them with types, ranges and help.
 import os
-from collections.abc import Callable, Sequence
-from typing import Any, Protocol, Union
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, Protocol, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,7 +25,14 @@ def options() -> list[dict[str, Any]]: ...
 
 class Model:
     @staticmethod
-    def read(path: _Path, *, progress: _Progress | None = None, cancel: _Cancel | None = None, **keys: Any) -> Model: ...
+    def read(
+        path: _Path,
+        *,
+        progress: _Progress | None = None,
+        cancel: _Cancel | None = None,
+        threads: int = 0,
+        **keys: Any,
+    ) -> Model: ...
     @staticmethod
     def from_arrays(vertices: ArrayLike, faces: ArrayLike, *, units: str = "mm") -> Model: ...
     def write(self, path: _Path, vertices: ArrayLike | None = None, *, ascii: bool = False) -> None: ...
@@ -48,7 +55,13 @@ class Model:
     def feature_lines(self, **keys: Any) -> list[FeatureLine]: ...
     def line_through(self, vertices: Sequence[int] | _Ints, **keys: Any) -> FeatureLine: ...
     def fit_target(
-        self, line: FeatureLine, *, progress: _Progress | None = None, cancel: _Cancel | None = None, **keys: Any
+        self,
+        line: FeatureLine,
+        *,
+        progress: _Progress | None = None,
+        cancel: _Cancel | None = None,
+        threads: int = 0,
+        **keys: Any,
     ) -> TargetLine: ...
     def region(
         self,
@@ -57,6 +70,7 @@ class Model:
         *,
         progress: _Progress | None = None,
         cancel: _Cancel | None = None,
+        threads: int = 0,
         **keys: Any,
     ) -> Region: ...
 
@@ -81,7 +95,7 @@ class FeatureLine:
     def selector(self) -> str: ...
     @property
     def points(self) -> _Floats: ...
-    def part(self, start: float | str, end: float | str) -> FeatureLine: ...
+    def part(self, start: float | str, end: float | str, **keys: Any) -> FeatureLine: ...
 
 class TargetLine:
     def __init__(
@@ -119,6 +133,7 @@ class TargetLine:
         *,
         progress: _Progress | None = None,
         cancel: _Cancel | None = None,
+        threads: int = 0,
         **keys: Any,
     ) -> TargetLine: ...
     def on_surface(
@@ -128,6 +143,7 @@ class TargetLine:
         *,
         progress: _Progress | None = None,
         cancel: _Cancel | None = None,
+        threads: int = 0,
         **keys: Any,
     ) -> TargetLine: ...
     def fair(self, limit: float = 0.0) -> TargetLine: ...
@@ -203,6 +219,7 @@ class MoveResult:
         *,
         progress: _Progress | None = None,
         cancel: _Cancel | None = None,
+        threads: int = 0,
         **keys: Any,
     ) -> None: ...
 
@@ -233,7 +250,7 @@ class Preview:
     def seconds(self) -> float: ...
 
 class Editor:
-    def __init__(self, model: Model, line: FeatureLine, **keys: Any) -> None: ...
+    def __init__(self, model: Model, line: FeatureLine, *, threads: int = 0, **keys: Any) -> None: ...
     def start(
         self, target: TargetLine, *, progress: _Progress | None = None, cancel: _Cancel | None = None
     ) -> None: ...
@@ -257,8 +274,97 @@ def move(
     *,
     progress: _Progress | None = None,
     cancel: _Cancel | None = None,
+    threads: int = 0,
     **keys: Any,
 ) -> MoveResult: ...
 def run_job(
-    job: _Path | dict[str, Any], *, progress: _Progress | None = None, cancel: _Cancel | None = None
+    job: _Path | dict[str, Any],
+    *,
+    progress: _Progress | None = None,
+    cancel: _Cancel | None = None,
+    threads: int = 0,
+) -> dict[str, Any]: ...
+
+class MethodRun:
+    @property
+    def method(self) -> str: ...
+    @property
+    def state(self) -> str: ...
+    @property
+    def reason(self) -> str | None: ...
+    @property
+    def rank(self) -> int | None: ...
+    @property
+    def vertices(self) -> _Floats | None: ...
+    @property
+    def rest_vertices(self) -> _Floats | None: ...
+    @property
+    def faces(self) -> _Ints | None: ...
+    @property
+    def line_vertices(self) -> _Ints | None: ...
+    @property
+    def measures(self) -> dict[str, Any] | None: ...
+    @property
+    def gates(self) -> list[dict[str, Any]] | None: ...
+    @property
+    def warnings(self) -> list[str] | None: ...
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def stats(self) -> dict[str, Any]: ...
+
+class Comparison:
+    def __len__(self) -> int: ...
+    def __iter__(self) -> Iterator[str]: ...
+    def __contains__(self, method: str) -> bool: ...
+    def __getitem__(self, method: str) -> MethodRun: ...
+    def keys(self) -> list[str]: ...
+    @property
+    def ranking(self) -> list[str]: ...
+    @property
+    def winner(self) -> str | None: ...
+    @property
+    def headline(self) -> str: ...
+    @property
+    def table(self) -> str: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @property
+    def stats(self) -> dict[str, Any]: ...
+
+@overload
+def compare(
+    model: Model,
+    line: FeatureLine,
+    target: TargetLine | None = None,
+    *,
+    methods: Sequence[str] | str | None = None,
+    output: _Path | None = None,
+    progress: _Progress | None = None,
+    cancel: _Cancel | None = None,
+    threads: int = 0,
+    **keys: Any,
+) -> Comparison: ...
+@overload
+def compare(
+    job: _Path | dict[str, Any],
+    *,
+    methods: Sequence[str] | str | None = None,
+    output: _Path | None = None,
+    check_unique: bool = False,
+    progress: _Progress | None = None,
+    cancel: _Cancel | None = None,
+    threads: int = 0,
+) -> Comparison: ...
+def check(
+    before: Model,
+    after: Model,
+    line: FeatureLine | None = None,
+    *,
+    target: TargetLine | None = None,
+    stats: _Path | dict[str, Any] | None = None,
+    progress: _Progress | None = None,
+    cancel: _Cancel | None = None,
+    threads: int = 0,
+    **keys: Any,
 ) -> dict[str, Any]: ...
