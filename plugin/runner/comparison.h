@@ -47,8 +47,8 @@ Job method_job(const Job& job, const std::string& method);
 
 /// Prepares the job once, then runs every method on it, several at a time where processors allow, and measures the
 /// results. A method that fails or does not converge is a run with a failure, not the end; only a job that cannot be
-/// prepared and a cancelled one fail. Results do not depend on the number of threads. What `inputs` holds takes the place
-/// of the job's files.
+/// prepared and a cancelled one fail. Results do not depend on the number of threads. What `inputs` holds takes the
+/// place of the job's files.
 Result<Comparison> compare_methods(const Job& job, const Progress& progress = {}, const JobInputs& inputs = {});
 
 /// Sound runs from best to worst: those that keep the job's limits first; then by flipped triangles; then on-surface

@@ -24,8 +24,8 @@ std::string chain_text(const std::vector<int>& chain)
     return text;
 }
 
-/// The double that gives `mm` back when a reader multiplies it by the unit's length; rounding may put it some units in the
-/// last place off the quotient, or leave none.
+/// The double that gives `mm` back when a reader multiplies it by the unit's length; rounding may put it some units in
+/// the last place off the quotient, or leave none.
 std::optional<double> in_unit(double mm, double unit_mm)
 {
     double below = mm / unit_mm, above = below;

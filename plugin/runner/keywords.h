@@ -17,8 +17,8 @@ namespace tapeline {
 Result<void> set_keywords(Job& job, const nlohmann::json& keywords, std::initializer_list<std::string_view> sections,
                           unsigned commands = all_commands);
 
-/// Sets an option of section command from a keyword argument that a call has by itself, such as `threads`; a null leaves
-/// the default.
+/// Sets an option of section command from a keyword argument that a call has by itself, such as `threads`; a null
+/// leaves the default.
 Result<void> set_command_keyword(Job& job, std::string_view name, const nlohmann::json& value);
 
 /// The option table as data, in its order: per option `name`, `section`, `type`, `default`, `minimum`, `maximum`,

@@ -22,8 +22,8 @@ Result<RefinedLine> refine_line(const Model& model, const FeatureLine& line, dou
 /// True when these settings remesh the surroundings of the model's line: where asked, and on CAD models.
 bool remeshes(const Model& model, const RemeshSettings& settings);
 
-/// Where the model is remeshed anyway, a line of few long edges is split up before a part of it is chosen, into edges of
-/// `settings.max_edge` (0 = a sixtieth of the line); none where the line is fine as it is.
+/// Where the model is remeshed anyway, a line of few long edges is split up before a part of it is chosen, into edges
+/// of `settings.max_edge` (0 = a sixtieth of the line); none where the line is fine as it is.
 Result<std::optional<RefinedLine>> refine_before_choice(const Model& model, const FeatureLine& whole,
                                                         const RemeshSettings& settings);
 
