@@ -122,7 +122,7 @@ Result<void> check_order(const Slid& a, const Slid& b)
 } // namespace
 
 Result<TargetLine> slide_on_surface(const TargetLine& line, const Mesh& mesh, const SlideLaw& law, double tolerance_mm,
-                                    const ExactGround* exact)
+                                    const ExactGround* exact, int control_points, double* off_mm)
 try {
     if (const auto checked = spline::check_tolerance(tolerance_mm); !checked) {
         return tl::unexpected(checked.error());
@@ -161,7 +161,8 @@ try {
         }
         return points;
     };
-    return spline::fit_on_surface(place, line.closed(), spline::sample_count(line, mesh), ground, tolerance_mm);
+    return spline::fit_on_surface(place, line.closed(), spline::sample_count(line, mesh), ground,
+                                  {tolerance_mm, control_points}, off_mm);
 } catch (const std::exception& exception) {
     return fail(ErrorKind::rejected, fmt::format("the line cannot slide on the model: {}", exception.what()));
 }

@@ -71,6 +71,31 @@ Result<TargetLine> fit_within(const PlacePoints& place, bool closed, int samples
                     off, tolerance_mm));
 }
 
+/// A number of control points, whatever it gives.
+Result<TargetLine> fit_with(const PlacePoints& place, bool closed, int samples, const LineGround& surface,
+                            const SurfaceFit& wanted, double* off_mm)
+{
+    FitOptions options;
+    options.control_points = wanted.control_points;
+    options.tolerance_mm = wanted.tolerance_mm;
+    FitReport report;
+    return place(even_fractions(samples, closed))
+        .and_then([&](const std::vector<Vec3>& points) { return fit_polyline(points, closed, options, &report); })
+        .and_then([&](TargetLine line) -> Result<TargetLine> {
+            const double off = std::max(report.max_error_mm, deviation(line, surface, 4 * samples));
+            if (wanted.tolerance_mm > 0 && off > wanted.tolerance_mm) {
+                return fail(ErrorKind::rejected,
+                            fmt::format("{} control points keep the line within {:.6g} mm of the surface only, not "
+                                        "{:.6g} mm: allow more of them or a larger tolerance",
+                                        wanted.control_points, off, wanted.tolerance_mm));
+            }
+            if (off_mm != nullptr) {
+                *off_mm = off;
+            }
+            return line;
+        });
+}
+
 double polyline_length(const std::vector<Vec3>& points)
 {
     double length = 0;
@@ -91,8 +116,12 @@ Result<void> check_tolerance(double tolerance_mm)
 }
 
 Result<TargetLine> fit_on_surface(const PlacePoints& place, bool closed, int samples, const LineGround& surface,
-                                  double tolerance_mm)
+                                  const SurfaceFit& wanted, double* off_mm)
 {
+    const double tolerance_mm = wanted.tolerance_mm;
+    if (wanted.control_points > 0) {
+        return fit_with(place, closed, samples, surface, wanted, off_mm);
+    }
     if (tolerance_mm > 0) {
         return fit_within(place, closed, samples, surface, tolerance_mm, 0);
     }
@@ -127,7 +156,7 @@ int sample_count(const TargetLine& line, const Mesh& mesh)
 } // namespace spline
 
 Result<TargetLine> lay_on_surface(const TargetLine& line, const Mesh& mesh, double tolerance_mm,
-                                  const ExactGround* exact)
+                                  const ExactGround* exact, int control_points, double* off_mm)
 try {
     if (const auto checked = spline::check_tolerance(tolerance_mm); !checked) {
         return tl::unexpected(checked.error());
@@ -163,7 +192,8 @@ try {
         }
         return points;
     };
-    return spline::fit_on_surface(place, line.closed(), spline::sample_count(line, mesh), surface, tolerance_mm);
+    return spline::fit_on_surface(place, line.closed(), spline::sample_count(line, mesh), surface,
+                                  {tolerance_mm, control_points}, off_mm);
 } catch (const std::exception& exception) {
     return fail(ErrorKind::rejected, fmt::format("the line cannot be laid on the model: {}", exception.what()));
 }

@@ -37,11 +37,17 @@ private:
 /// Checks a tolerance [mm] given by a caller: finite, not negative.
 Result<void> check_tolerance(double tolerance_mm);
 
+/// What is wanted of a line on a surface; 0 as documented at `slide_on_surface`.
+struct SurfaceFit {
+    double tolerance_mm = 0;
+    int control_points = 0;
+};
+
 /// Fits a line through surface points so that it lies within the tolerance of them and of the surface, with more
 /// points and a tighter fit where the first attempt strays between them. `samples` is the first number of points.
-/// tolerance_mm = 0: as documented at `slide_on_surface`.
+/// `off_mm`: where a number of control points is asked for, how far the line strays; else unchanged.
 Result<TargetLine> fit_on_surface(const PlacePoints& place, bool closed, int samples, const LineGround& surface,
-                                  double tolerance_mm);
+                                  const SurfaceFit& wanted, double* off_mm);
 
 /// A good number of samples for a line on a mesh: some per span of the line, and about two per triangle crossed.
 int sample_count(const TargetLine& line, const Mesh& mesh);

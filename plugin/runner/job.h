@@ -41,6 +41,7 @@ struct TargetSettings {
     std::filesystem::path target;
     int control_points = 0;
     double tolerance = 0;
+    int surface_points = 0;
     std::filesystem::path edit;
     std::vector<double> slide;
     bool fair = false;

@@ -4,6 +4,8 @@
 #include "bspline/edit.h"
 #include "io/target_file.h"
 
+#include <fmt/format.h>
+
 namespace tapeline {
 
 namespace {
@@ -80,9 +82,11 @@ Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, co
             });
         });
     }
+    double off = 0; // the surface, where the settings say how many control points
     if (!settings.slide.empty()) {
         change([&](const TargetLine& made) {
-            return slide_on_surface(made, model.mesh, slide_law(settings.slide), settings.tolerance, ground);
+            return slide_on_surface(made, model.mesh, slide_law(settings.slide), settings.tolerance, ground,
+                                    settings.surface_points, &off);
         });
     }
     if (settings.fair) {
@@ -91,7 +95,15 @@ Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, co
         });
     }
     if (settings.on_surface) {
-        change([&](const TargetLine& made) { return lay_on_surface(made, model.mesh, settings.tolerance, ground); });
+        change([&](const TargetLine& made) {
+            return lay_on_surface(made, model.mesh, settings.tolerance, ground, settings.surface_points, &off);
+        });
+    }
+    if (choice && off > 1e-4 * choice->line.length()) {
+        choice->warnings.push_back(fmt::format(
+            "with {} control points the target strays {:.3g} mm from the surface or its slide, which comes back as a "
+            "bulge: allow more (--surface-points)",
+            settings.surface_points, off));
     }
     return choice;
 }

@@ -16,6 +16,8 @@
 namespace tapeline {
 namespace {
 
+using testing::crease_panel;
+using testing::crease_panel_height;
 using testing::cylinder;
 using testing::Diagonals;
 using testing::grid;
@@ -144,6 +146,35 @@ TEST(Slide, FollowsItsLawOnTheCreasePanel)
     EXPECT_NEAR(slid->point(slid->first_parameter()).y(), 0, 1e-9);
     expect_each(
         *slid, [](const Vec3& p) { return std::min(p.y(), 0.0); }, 0.05);
+}
+
+TEST(Slide, HasTheNumberOfControlPointsAskedForAndSaysHowFarItStrays)
+{
+    const Mesh mesh = crease_panel(64, 48);
+    const TargetLine line = *interpolate_points({{-240, 0, crease_panel_height(-240, 0)},
+                                                 {-80, 0, crease_panel_height(-80, 0)},
+                                                 {80, 0, crease_panel_height(80, 0)},
+                                                 {240, 0, crease_panel_height(240, 0)}},
+                                                false);
+    const SlideLaw law{{{0, 0}, {0.25, 20}, {0.5, 30}, {0.75, 20}, {1, 0}}};
+    double before = 1e9;
+    for (const int count : {5, 8, 14}) {
+        double off = -1;
+        const auto slid = slide_on_surface(line, mesh, law, 0, nullptr, count, &off);
+        ASSERT_TRUE(slid) << slid.error().message;
+        EXPECT_EQ(slid->data().control_points.size(), static_cast<size_t>(count));
+        const ClosestPoint surface(mesh);
+        for (int k = 0; k <= 100; ++k) {
+            const Vec3 p = slid->point(slid->parameter_at(slid->length() * k / 100));
+            EXPECT_LE(surface.closest(p).distance, 1.02 * off);
+        }
+        EXPECT_LT(off, before);
+        before = off;
+    }
+    EXPECT_LT(before, 0.2);
+    const auto refused = slide_on_surface(line, mesh, law, 0.01, nullptr, 5);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("allow more"), std::string::npos) << refused.error().message;
 }
 
 TEST(Slide, OfALineToTheBordersFollowsThem)
