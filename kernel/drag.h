@@ -51,6 +51,7 @@ public:
                           std::optional<Placement> verdict, std::optional<LineSide> compressed) const;
 
     const ExtendedLine& extended() const { return start_.extended; }
+    const Topology& topology() const { return topology_; } ///< of the extended model
     bool splits() const { return start_.splits; }
     /// Region triangles left and right of the prolonged line; all in the first list where the region is not split.
     const std::array<std::vector<int>, 2>& side_faces() const { return faces_; }

@@ -40,9 +40,16 @@ std::string face_complaint(const std::vector<int>& faces, int count)
 
 } // namespace
 
-Context::Context(const QualityInput& quality_input)
+RestShape::RestShape(const Mesh& rest) : topology(rest.F, static_cast<int>(rest.V.rows()))
+{
+    measure_faces(rest, normals, areas);
+}
+
+Context::Context(const QualityInput& quality_input, std::shared_ptr<const RestShape> rest_shape)
     : input(quality_input), rest(quality_input.rest), moved{quality_input.moved, quality_input.rest.F},
-      topology(rest.F, static_cast<int>(rest.V.rows())), side(rest.F.rows(), SideOf::none), on_line(rest.V.rows(), 0)
+      shape(rest_shape ? std::move(rest_shape) : std::make_shared<RestShape>(rest)), topology(shape->topology),
+      side(rest.F.rows(), SideOf::none), on_line(rest.V.rows(), 0), rest_normals(shape->normals),
+      rest_areas(shape->areas)
 {
     for (const int t : input.tension_faces) {
         side[t] = SideOf::tension;
@@ -65,7 +72,6 @@ Context::Context(const QualityInput& quality_input)
     for (const int v : input.line) {
         on_line[v] = 1;
     }
-    measure_faces(rest, rest_normals, rest_areas);
     measure_faces(moved, moved_normals, moved_areas);
 }
 
@@ -122,9 +128,6 @@ std::string complaint(const QualityInput& input)
     return wrong.empty() ? face_complaint(input.tension_faces, static_cast<int>(faces)) : wrong;
 }
 
-namespace {
-
-/// What the quality strip shows.
 void measure_strip(const Context& context, QualityReport& report)
 {
     measure_line(context, report);
@@ -133,8 +136,8 @@ void measure_strip(const Context& context, QualityReport& report)
     measure_creases(context, report);
 }
 
-/// A report with what `measure` takes, or why nothing can be measured.
-Result<QualityReport> measured(const QualityInput& input, void (*measure)(const Context&, QualityReport&))
+Result<QualityReport> measured(const QualityInput& input, void (*measure)(const Context&, QualityReport&),
+                               std::shared_ptr<const RestShape> rest_shape)
 {
     const std::string wrong = complaint(input);
     if (!wrong.empty()) {
@@ -142,14 +145,12 @@ Result<QualityReport> measured(const QualityInput& input, void (*measure)(const 
     }
     try {
         QualityReport report;
-        measure(Context(input), report);
+        measure(Context(input, std::move(rest_shape)), report);
         return report;
     } catch (const std::exception& e) {
         return fail(ErrorKind::rejected, fmt::format("Cannot measure the result: {}.", e.what()));
     }
 }
-
-} // namespace
 
 } // namespace quality
 
@@ -178,7 +179,7 @@ QualityMaps quality_maps(const QualityInput& input)
         return maps;
     }
     const quality::Context context(input);
-    maps.bulge_mm = quality::bulge_map(context);
+    maps.bulge_mm = quality::bulge_map(context, context.vertices);
     quality::curvature_maps(context, maps);
     return maps;
 }

@@ -13,6 +13,8 @@
 
 namespace tapeline {
 
+class Topology;
+
 /// What is measured: a deformed mesh against its rest shape (same triangles), the line on it, and its two sides.
 struct QualityInput {
     const Mesh& rest;
@@ -123,5 +125,9 @@ struct StrainedParts {
 StrainedParts strained_parts(const Mesh& rest, const std::pair<std::vector<int>, std::vector<int>>& sides,
                              const std::vector<int>& line, bool closed, const std::vector<Vec3>& displacements,
                              LineSide compressed);
+/// The same with the rest mesh's connectivity at hand.
+StrainedParts strained_parts(const Mesh& rest, const Topology& topology,
+                             const std::pair<std::vector<int>, std::vector<int>>& sides, const std::vector<int>& line,
+                             bool closed, const std::vector<Vec3>& displacements, LineSide compressed);
 
 } // namespace tapeline

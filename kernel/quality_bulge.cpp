@@ -4,7 +4,9 @@
 #include "kernel/quality_detail.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace tapeline::quality {
@@ -73,14 +75,20 @@ Vec3 pseudo_normal(const Context& context, const MeshFoot& foot)
 
 } // namespace
 
-std::vector<double> bulge_map(const Context& context)
+std::vector<double> bulge_map(const Context& context, const std::vector<int>& vertices)
 {
     std::vector<double> map(context.rest.V.rows(), std::numeric_limits<double>::quiet_NaN());
-    const ClosestPoint surface(context.rest, faces_and_ring(context));
+    const std::vector<int> faces = faces_and_ring(context);
+    const bool kept = context.shape->surface && faces.size() == context.side.size();
+    std::optional<ClosestPoint> made;
+    if (!kept) {
+        made.emplace(context.rest, faces);
+    }
+    const ClosestPoint& surface = kept ? *context.shape->surface : *made;
     parallel_for(
-        static_cast<int>(context.vertices.size()),
+        static_cast<int>(vertices.size()),
         [&](int i) {
-            const int v = context.vertices[i];
+            const int v = vertices[i];
             const Vec3 p = context.moved.V.row(v);
             if (p == Vec3(context.rest.V.row(v))) {
                 map[v] = 0; // not moved: no need to search
@@ -101,17 +109,20 @@ void measure_bulge(const Context& context, QualityReport& report)
     if (context.input.compressed_faces.empty()) {
         return;
     }
-    const std::vector<double> map = bulge_map(context);
-    std::vector<double> weight(map.size(), 0); // area of the side around each vertex
+    std::vector<double> weight(context.rest.V.rows(), 0); // area of the side around each vertex
     for (const int t : context.input.compressed_faces) {
         for (int k = 0; k < 3; ++k) {
             weight[context.rest.F(t, k)] += context.rest_areas[t];
         }
     }
+    // The line has a measure of its own: its target may leave the mesh by the chord error.
+    std::vector<int> judged;
+    std::ranges::copy_if(context.vertices, std::back_inserter(judged),
+                         [&](int v) { return weight[v] > 0 && !context.on_line[v]; });
+    const std::vector<double> map = bulge_map(context, judged);
     double squares = 0, total = 0;
-    for (const int v : context.vertices) {
-        // The line has a measure of its own: its target may leave the mesh by the chord error.
-        if (weight[v] <= 0 || context.on_line[v] || !std::isfinite(map[v])) {
+    for (const int v : judged) {
+        if (!std::isfinite(map[v])) {
             continue;
         }
         squares += weight[v] * map[v] * map[v];

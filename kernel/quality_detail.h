@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/closest_point.h"
 #include "kernel/quality.h"
 #include "kernel/topology.h"
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 /// Inside of kernel/quality: what the measures share. Not for other modules.
@@ -11,21 +14,34 @@ namespace tapeline::quality {
 
 enum class SideOf : char { none, compressed, tension };
 
-/// The input with what several measures need of it, computed once.
+/// What depends on the rest mesh alone.
+struct RestShape {
+    explicit RestShape(const Mesh& rest);
+
+    Topology topology;
+    Positions normals;                        ///< per triangle: unit normal, zero without area
+    std::vector<double> areas;                ///< per triangle [mm²]
+    std::optional<ClosestPoint> surface = {}; ///< of all triangles, where it is worth keeping
+};
+
+/// The input with what several measures need of it, computed once. `rest_shape`: of the input's rest mesh, made here
+/// when there is none.
 struct Context {
-    explicit Context(const QualityInput& quality_input);
+    explicit Context(const QualityInput& quality_input, std::shared_ptr<const RestShape> rest_shape = nullptr);
 
     const QualityInput& input;
     const Mesh& rest;
     Mesh moved;
-    Topology topology;
-    std::vector<int> faces;    ///< triangles of both sides, ascending
-    std::vector<int> vertices; ///< their vertices, ascending
-    std::vector<SideOf> side;  ///< per triangle of the mesh
-    std::vector<char> on_line; ///< per vertex
-    Positions rest_normals;    ///< per triangle: unit normal, zero without area
+    std::shared_ptr<const RestShape> shape;
+    const Topology& topology;
+    std::vector<int> faces;                ///< triangles of both sides, ascending
+    std::vector<int> vertices;             ///< their vertices, ascending
+    std::vector<SideOf> side;              ///< per triangle of the mesh
+    std::vector<char> on_line;             ///< per vertex
+    const Positions& rest_normals;         ///< per triangle: unit normal, zero without area
+    const std::vector<double>& rest_areas; ///< per triangle [mm²]
     Positions moved_normals;
-    std::vector<double> rest_areas, moved_areas; ///< per triangle [mm²]
+    std::vector<double> moved_areas;
 
     /// Number of edges of the line.
     int line_edges() const;
@@ -39,13 +55,19 @@ double dihedral(const Mesh& mesh, const Topology& topology, const Positions& nor
 /// Why the input cannot be measured; empty when it can.
 std::string complaint(const QualityInput& input);
 
+/// A report with what `measure` takes, or why nothing can be measured.
+Result<QualityReport> measured(const QualityInput& input, void (*measure)(const Context&, QualityReport&),
+                               std::shared_ptr<const RestShape> rest_shape = nullptr);
+/// What the quality strip shows.
+void measure_strip(const Context& context, QualityReport& report);
+
 void measure_line(const Context& context, QualityReport& report);
 void measure_creases(const Context& context, QualityReport& report);
 void measure_rim(const Context& context, QualityReport& report);
 void measure_extension(const Context& context, QualityReport& report);
 
-/// Signed distance of the moved vertices to the region's rest surface, NaN for vertices outside the region [mm].
-std::vector<double> bulge_map(const Context& context);
+/// Signed distance of the moved vertices of a list to the region's rest surface, NaN for all others [mm].
+std::vector<double> bulge_map(const Context& context, const std::vector<int>& vertices);
 void measure_bulge(const Context& context, QualityReport& report);
 
 std::vector<Section> cut_sections(const Context& context);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/parallel.h"
 #include "kernel/quality.h"
 #include "kernel/topology.h"
 
@@ -71,10 +72,9 @@ std::pair<std::vector<int>, std::vector<int>> sides_of_line(const Mesh& mesh, co
 namespace {
 
 /// Per entry of the line the side that its displacement runs into; `usual` where it clearly runs into neither.
-std::vector<LineSide> compressed_along(const Mesh& rest, const std::vector<int>& line, bool closed,
-                                       const std::vector<Vec3>& displacements, LineSide usual)
+std::vector<LineSide> compressed_along(const Mesh& rest, const Topology& topology, const std::vector<int>& line,
+                                       bool closed, const std::vector<Vec3>& displacements, LineSide usual)
 {
-    const Topology topology(rest.F, static_cast<int>(rest.V.rows()));
     std::vector<std::array<double, 2>> into(line.size(), {0, 0}); // displacement into the left and the right side [mm]
     const size_t edges = line.size() - (closed ? 0 : 1);
     for (size_t k = 0; k < edges; ++k) {
@@ -110,12 +110,21 @@ StrainedParts strained_parts(const Mesh& rest, const std::pair<std::vector<int>,
                              const std::vector<int>& line, bool closed, const std::vector<Vec3>& displacements,
                              LineSide compressed)
 {
+    return strained_parts(rest, Topology(rest.F, static_cast<int>(rest.V.rows())), sides, line, closed, displacements,
+                          compressed);
+}
+
+StrainedParts strained_parts(const Mesh& rest, const Topology& topology,
+                             const std::pair<std::vector<int>, std::vector<int>>& sides, const std::vector<int>& line,
+                             bool closed, const std::vector<Vec3>& displacements, LineSide compressed)
+{
     const bool left = compressed == LineSide::left;
     StrainedParts parts{left ? sides.first : sides.second, left ? sides.second : sides.first};
-    const std::vector<LineSide> along = compressed_along(rest, line, closed, displacements, compressed);
+    const std::vector<LineSide> along = compressed_along(rest, topology, line, closed, displacements, compressed);
     if (std::ranges::all_of(along, [&](LineSide s) { return s == compressed; })) {
         return parts;
     }
+    std::vector<char> usual(rest.F.rows(), 1);
     const auto follows_usual = [&](int t) {
         const Vec3 centre = (rest.V.row(rest.F(t, 0)) + rest.V.row(rest.F(t, 1)) + rest.V.row(rest.F(t, 2))) / 3;
         const auto nearest =
@@ -123,7 +132,8 @@ StrainedParts strained_parts(const Mesh& rest, const std::pair<std::vector<int>,
         return along[nearest - line.begin()] == compressed;
     };
     const auto take_swapped = [&](std::vector<int>& part) {
-        const auto swapped = std::stable_partition(part.begin(), part.end(), follows_usual);
+        parallel_for(static_cast<int>(part.size()), [&](int i) { usual[part[i]] = follows_usual(part[i]); });
+        const auto swapped = std::stable_partition(part.begin(), part.end(), [&](int t) { return usual[t] != 0; });
         std::vector<int> taken(swapped, part.end());
         part.erase(swapped, part.end());
         return taken;

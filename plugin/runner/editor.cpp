@@ -5,10 +5,12 @@
 #include "kernel/face_patch.h"
 #include "kernel/move_steps.h"
 #include "kernel/parallel.h"
+#include "kernel/strip_meter.h"
 #include "plugin/runner/guard.h"
 #include "plugin/runner/job_saving.h"
 #include "plugin/runner/placing.h"
 #include "plugin/runner/preparation_memory.h"
+#include "plugin/runner/threads.h"
 
 #include <algorithm>
 #include <chrono>
@@ -101,6 +103,7 @@ struct Editor::Base {
         const ExtendedLine& extended = drag.extended();
         rest = std::make_shared<Mesh>(extended.model.mesh);
         patch = patch_of_faces(*rest, extended.region.faces);
+        meter.emplace(std::move(patch.mesh));
         sides = {drag.side_faces()[0], drag.side_faces()[1]};
         if (!drag.splits()) {
             sides = sides_of_line(*rest, extended.region.faces, extended.vertices, extended.closed);
@@ -115,13 +118,29 @@ struct Editor::Base {
         }
     }
 
+    /// A preview of a usual region takes some 20 ms of one processor. On a machine that has other work, waiting for
+    /// helpers at every step takes longer than that.
+    int threads() const
+    {
+        constexpr Eigen::Index alone = 25000; // vertices
+        return meter->rest().V.rows() < alone ? 1 : 0;
+    }
+
+    Result<DragStep> step(const TargetLine& target, const MoveOptions& options) const
+    {
+        return on_threads(threads(), [&] {
+            return drag.step(line, target, options.correspondence, options.placement, options.compressed_side);
+        });
+    }
+
     StrainedParts parts(const DragStep& step) const
     {
         if (step.placement.verdict == Placement::off_surface) {
             return {{}, drag.extended().region.faces};
         }
         const Correspondence& c = step.correspondence;
-        return strained_parts(*rest, sides, c.line.vertices, c.line.closed, c.displacements, step.placement.compressed);
+        return strained_parts(*rest, drag.topology(), sides, c.line.vertices, c.line.closed, c.displacements,
+                              step.placement.compressed);
     }
 
     EditorPreview preview(DragStep step) const
@@ -134,14 +153,15 @@ struct Editor::Base {
         made.line = std::move(step.correspondence.line.vertices);
         made.placement = step.placement;
         made.leaves_region = step.leaves_region;
-        made.flipped = count_flipped(*rest, made.V, drag.extended().region.faces);
+        made.flipped =
+            on_threads(threads(), [&] { return count_flipped(*rest, made.V, drag.extended().region.faces); });
         return made;
     }
 
     /// Measures on the region alone, since a model may be much larger. What cannot be measured is left out.
     void measure(EditorPreview& preview, const TargetCurve& target, bool closed) const
     {
-        Positions moved(patch.mesh.V.rows(), 3);
+        Positions moved(meter->rest().V.rows(), 3);
         for (std::size_t v = 0; v < patch.to_vertex.size(); ++v) {
             moved.row(static_cast<Eigen::Index>(v)) = preview.V.row(patch.to_vertex[v]);
         }
@@ -151,10 +171,10 @@ struct Editor::Base {
             std::erase(mapped, -1);
             return mapped;
         };
-        QualityInput input{patch.mesh, moved, local(preview.line, local_vertex), closed, {}, {}, &target};
+        QualityInput input{meter->rest(), moved, local(preview.line, local_vertex), closed, {}, {}, &target};
         input.compressed_faces = local(preview.parts.compressed, local_face);
         input.tension_faces = local(preview.parts.tension, local_face);
-        if (const auto report = measure_strip(input)) {
+        if (const auto report = on_threads(threads(), [&] { return meter->measure(input); })) {
             preview.strip = *report;
         }
     }
@@ -163,7 +183,8 @@ struct Editor::Base {
     FeatureLine line; ///< on the model, as it was prepared
     int mesh_number = 0;
     std::shared_ptr<const Mesh> rest;
-    FacePatch patch;                                     ///< the region
+    FacePatch patch;                                     ///< the region, its mesh in `meter`
+    std::optional<StripMeter> meter;                     ///< on it
     std::pair<std::vector<int>, std::vector<int>> sides; ///< region triangles left and right of the line
     std::vector<int> local_vertex, local_face;
 };
@@ -266,23 +287,19 @@ Result<EditorPreview> Editor::preview(const TargetLine& target, double budget_ms
                    made.mesh_number = from.base->mesh_number;
                    return made;
                }
-               const Drag& drag = from.base->drag;
-               const MoveOptions options = move_options(job_);
-               return drag
-                   .step(from.base->line, target, options.correspondence, options.placement, options.compressed_side)
-                   .map([&](DragStep step) {
-                       const bool closed = step.correspondence.line.closed;
-                       EditorPreview made = from.base->preview(std::move(step));
-                       const auto measuring = Clock::now();
-                       const bool in_time = seconds_since(begin) + from.strip_seconds <= 1e-3 * budget_ms;
-                       if (in_time) {
-                           from.base->measure(made, target, closed);
-                       }
-                       const std::lock_guard lock(mutex_);
-                       // A strip that once took long, on a busy machine say, is tried again in the end.
-                       state_.strip_seconds = in_time ? seconds_since(measuring) : 0.8 * from.strip_seconds;
-                       return made;
-                   });
+               return from.base->step(target, move_options(job_)).map([&](DragStep step) {
+                   const bool closed = step.correspondence.line.closed;
+                   EditorPreview made = from.base->preview(std::move(step));
+                   const auto measuring = Clock::now();
+                   const bool in_time = seconds_since(begin) + from.strip_seconds <= 1e-3 * budget_ms;
+                   if (in_time) {
+                       from.base->measure(made, target, closed);
+                   }
+                   const std::lock_guard lock(mutex_);
+                   // A strip that once took long, on a busy machine say, is tried again in the end.
+                   state_.strip_seconds = in_time ? seconds_since(measuring) : 0.8 * from.strip_seconds;
+                   return made;
+               });
            })
         .map([&](EditorPreview made) {
             made.seconds = seconds_since(begin);
