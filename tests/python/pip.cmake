@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # pip makes a wheel of the source tree, with what is built already, and the module in it works.
-execute_process(COMMAND "${PYTHON}" -c "import pip, setuptools, wheel" RESULT_VARIABLE missing OUTPUT_QUIET ERROR_QUIET)
+execute_process(COMMAND "${PYTHON}" -c "import setuptools, wheel, pip" RESULT_VARIABLE missing OUTPUT_QUIET ERROR_QUIET)
 if(missing)
   message(STATUS "skipped: this Python has no pip, setuptools or wheel")
   return()

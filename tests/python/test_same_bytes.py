@@ -93,13 +93,12 @@ class SameBytes(unittest.TestCase):
         self.assertAlmostEqual(part.length_mm, 0.6 * whole.length_mm, delta=whole.length_mm / 60)
         self.assertGreater(len(part.points), 30)
         self.assertGreaterEqual(part.vertices[1], len(model.vertices))
-        keys = dict(slide=[0, 0.5, 1.5, 2, 1.5, 0.5, 0], roi_distance=12)
-        tapeline.move(model, part, **keys).write(self.folder / "python.obj")
+        model.fit_target(part, control_points=9).write(self.folder / "python.json")
         shapes.run_command(
-            "move", step, "--line", "5@20%..80%", "--slide", ",".join(map(str, keys["slide"])), "--roi-distance", 12,
-            "-o", self.folder / "command.obj",
+            "target", step, "--line", part.selector, "--control-points", 9, "-o", self.folder / "command.json"
         )
-        self.assertEqual(self.bytes_of("python.obj"), self.bytes_of("command.obj"))
+        self.assertEqual(self.bytes_of("python.json"), self.bytes_of("command.json"))
+        self.assertTrue(model.region(part, slide=[0, 1, 0], roi_distance=6).placement["compressed_side"])
         # A mesh is remeshed, and its line split up, only where a size is asked for.
         V, F = shapes.crease_panel(4, 4)
         coarse = tapeline.Model.from_arrays(V, F).feature_lines()[0]

@@ -46,7 +46,7 @@ class TargetLine(Proxy):
         put(obj, line)
 
 
-TARGET_KEYS = ("control_points", "tolerance", "slide", "fair", "fair_limit", "on_surface")
+TARGET_KEYS = ("control_points", "tolerance", "surface_points", "slide", "fair", "fair_limit", "on_surface")
 
 
 @dataclass
@@ -73,7 +73,7 @@ def recipe_of(obj):
     recipe = Recipe(line=obj.Line, line_keys=properties.keys(obj, ["lines"]), slide=list(obj.Slide),
                     fair=obj.Fair, fair_limit=obj.FairLimit.Value, on_surface=obj.OnSurface)
     recipe.fit_keys = {key: value for key, value in properties.keys(obj, ["target"]).items()
-                       if key in ("control_points", "tolerance")}
+                       if key in ("control_points", "tolerance", "surface_points")}
     if obj.Offsets:
         recipe.offsets = arrays.from_vectors(obj.Offsets)
     if obj.Origin == LINKED:

@@ -98,9 +98,11 @@ class TargetPanel(Panel):
             recipe.start = curves.target_from_shape(*self.linked).to_json()
         elif origin == targets.STORED:
             recipe.start = self.target.Stored
-        elif self.count.value() or self.tolerance.value():
-            recipe.fit_keys = {name: box.value() for name, box in (("control_points", self.count),
-                                                                   ("tolerance", self.tolerance)) if box.value()}
+        else:
+            # The number of surface points has no field here, only its property.
+            keys = {"control_points": self.count.value(), "tolerance": self.tolerance.value(),
+                    "surface_points": self.target.SurfacePoints if self.target is not None else 0}
+            recipe.fit_keys = {name: value for name, value in keys.items() if value}
         return recipe
 
     def update(self):
