@@ -101,7 +101,7 @@ class TargetPanel(Panel):
         else:
             # The number of surface points has no field here, only its property.
             keys = {"control_points": self.count.value(), "tolerance": self.tolerance.value(),
-                    "surface_points": self.target.SurfacePoints if self.target is not None else 0}
+                    "surface_points": getattr(self.target, "SurfacePoints", 0)}
             recipe.fit_keys = {name: value for name, value in keys.items() if value}
         return recipe
 
