@@ -78,12 +78,41 @@ Result<void> Drag::add_part(SideMesh side)
     if (!slide) {
         return tl::unexpected(slide.error());
     }
+    auto rails = rails_of(side, support.constrained);
+    if (!rails) {
+        return tl::unexpected(rails.error());
+    }
     const std::vector<int> inner(side.global_faces.begin(), side.global_faces.begin() + side.inner_faces);
     ClosestPoint ground(start_.extended.model.mesh, inner);
     faces_[parts_.size()] = inner;
-    parts_.push_back(
-        {std::move(side), std::move(support.constrained), std::move(*plate), std::move(*slide), std::move(ground)});
+    parts_.push_back({std::move(side), std::move(support.constrained), std::move(*plate), std::move(*slide),
+                      std::move(ground), std::move(*rails)});
     return {};
+}
+
+Result<std::shared_ptr<const Drag::Rails>> Drag::rails_of(const SideMesh& side, const std::vector<int>& held) const
+{
+    auto rails = std::make_shared<Rails>();
+    rails->inner = {side.mesh.V, side.mesh.F.topRows(side.inner_faces)};
+    std::vector<char> given(side.mesh.V.rows(), 0);
+    for (const int v : held) {
+        given[v] = 1;
+    }
+    rails->lines = FeatureRails(rails->inner, side.features, given);
+    for (int v = 0; v < static_cast<int>(given.size()); ++v) {
+        if (rails->lines.slides(v) || rails->lines.corner(v)) {
+            rails->vertices.push_back(v);
+        }
+    }
+    if (rails->vertices.empty()) {
+        return nullptr;
+    }
+    std::vector<int> all = held;
+    all.insert(all.end(), rails->vertices.begin(), rails->vertices.end());
+    return harmonic_system(side, all, start_.slide).map([&](Elimination system) -> std::shared_ptr<const Rails> {
+        rails->slide = std::move(system);
+        return rails;
+    });
 }
 
 std::vector<Vec3> Drag::line_goals(const Correspondence& correspondence, bool on_surface) const
@@ -150,6 +179,37 @@ bool Drag::at_rim(const Correspondence& correspondence) const
     return false;
 }
 
+void Drag::slide_part(const Part& part, const Eigen::MatrixXd& change, Positions& V) const
+{
+    const std::vector<int>* free = &part.slide.free_rows();
+    Eigen::MatrixXd moved = part.slide.response(change);
+    if (part.rails) {
+        const Rails& rails = *part.rails;
+        Eigen::MatrixXd all(change.rows() + static_cast<Eigen::Index>(rails.vertices.size()), 3);
+        all.topRows(change.rows()) = change;
+        Eigen::Index row = change.rows();
+        for (const int v : rails.vertices) {
+            const Vec3 from = start_.V.row(part.side.to_global[v]);
+            Vec3 place = from;
+            if (rails.lines.slides(v)) {
+                const auto own = std::ranges::lower_bound(*free, v) - free->begin();
+                const Vec3 wanted = from + Vec3(moved.row(own)) - Vec3(rails.inner.V.row(v));
+                place = rails.lines.along(v, rails.lines.tangent(v).dot(wanted));
+            }
+            all.row(row++) = (place - from).transpose();
+            V.row(part.side.to_global[v]) = place;
+        }
+        moved = rails.slide.response(all);
+        free = &rails.slide.free_rows();
+    }
+    parallel_for(static_cast<int>(free->size()), [&](int i) {
+        const int v = part.side.to_global[(*free)[i]];
+        if (!moved.row(i).isZero(0)) {
+            V.row(v) = part.ground.closest(start_.V.row(v) + moved.row(i)).point;
+        }
+    });
+}
+
 void Drag::move_part(const Part& part, const std::vector<Vec3>& goals, bool slides, Positions& V) const
 {
     const SideMesh& side = part.side;
@@ -163,15 +223,8 @@ void Drag::move_part(const Part& part, const std::vector<Vec3>& goals, bool slid
     if (change.isZero(0)) {
         return;
     }
-    const std::vector<int>& free = part.slide.free_rows();
     if (slides) {
-        const Eigen::MatrixXd moved = part.slide.response(change);
-        parallel_for(static_cast<int>(free.size()), [&](int i) {
-            const int v = side.to_global[free[i]];
-            if (!moved.row(i).isZero(0)) {
-                V.row(v) = part.ground.closest(start_.V.row(v) + moved.row(i)).point;
-            }
-        });
+        slide_part(part, change, V);
         return;
     }
     Positions held = side.mesh.V;
@@ -179,7 +232,7 @@ void Drag::move_part(const Part& part, const std::vector<Vec3>& goals, bool slid
         held.row(part.held[i]) += change.row(i);
     }
     const Positions bent = part.plate.minimise(held);
-    for (const int v : free) {
+    for (const int v : part.slide.free_rows()) {
         V.row(side.to_global[v]) += bent.row(v) - side.mesh.V.row(v);
     }
 }

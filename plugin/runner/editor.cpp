@@ -3,6 +3,7 @@
 
 #include "kernel/drag.h"
 #include "kernel/face_patch.h"
+#include "kernel/feature_rails.h"
 #include "kernel/move_steps.h"
 #include "kernel/parallel.h"
 #include "kernel/strip_meter.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace tapeline {
@@ -39,6 +41,9 @@ void set_materials(DragStart& start, const MoveOptions& options, const std::vect
     start.slide.stiffness_ratio = ratio;
     start.plate = start.slide;
     start.plate.stiffness_ratio = std::min(ratio, options.plate_stiffness_ratio);
+    if (options.retraction.value_or(method_info(options.method).retraction) != RetractionMode::harmonic) {
+        start.extended.features.clear();
+    }
     start.clamp_rings = options.clamp_rings;
     start.tilting = tilting_rim(start.extended.model, start.extended.region, options.rim, options.rim_crease_angle);
 }
@@ -75,6 +80,8 @@ DragStart start_at_result(const MoveResult& move, const MoveOptions& options)
         const auto first = std::ranges::find(move.extended_line, move.correspondence.line.vertices.front());
         start.extended.first = static_cast<int>(first - move.extended_line.begin());
         start.extended.last += start.extended.first;
+        std::ranges::set_union(other_feature_edges(move.rest, start.extended.vertices, start.extended.closed),
+                               move.region.kept_edges, std::back_inserter(start.extended.features));
     }
     set_materials(start, options, move.correspondence.displacements);
     return start;

@@ -22,7 +22,8 @@ auto on_threads(int threads, const Step& step)
     if (threads <= 0) {
         return step();
     }
-    tbb::task_arena arena(threads);
+    // TBB complains of a wish beyond the process's limit.
+    tbb::task_arena arena(std::min(threads, allowed_threads()));
     return arena.execute(step);
 }
 

@@ -59,7 +59,7 @@ void preview_against_solve(benchmark::State& state)
     const auto model = *hold_mesh(crease_panel(nx, nx * 3 / 4), {});
     const HeldLine line = *held_part(*model, held_lines(*model, {}).front(), "20%", "80%");
     Job job;
-    job.region.roi_distance = 200;
+    job.region.roi_distance = 260;
     JobInputs inputs = use_held(job, model, line, {});
     const TargetLine fitted = make_target(model->imported.model, line.line, {})->line;
     const auto slid = [&](double mm) {
