@@ -53,7 +53,7 @@ struct MoveOptions {
     RimControl rim = RimControl::automatic;
     double rim_width_mm = 0;            ///< of that band; 0 = a third of the way to the line (plate-fl: its whole side)
     double rim_crease_angle = 5;        ///< a rim edge this sharp is a crease already [deg]
-    double plate_stiffness_ratio = 1.8; ///< μ of plate-fl's plates; its retraction has stiffness_ratio
+    double plate_stiffness_ratio = 3; ///< μ of plate-fl's plates; its retraction has stiffness_ratio
     LineCrease line_crease = LineCrease::free; ///< plate-fl only
     bool exact_surface = true; ///< CAD input: a retracted side ends on the exact faces, not on their triangles
 };

@@ -13,7 +13,7 @@
 namespace tapeline {
 
 struct PlateOptions {
-    Material material{.stiffness_ratio = 1.8};
+    Material material{.stiffness_ratio = 3};
     double tolerance_mm = 0; ///< wanted largest vertex error [mm]; 0 = 1e-5 of the mesh's size
     int max_passes = 200;
 };

@@ -68,4 +68,18 @@ std::vector<Vec3> polyline_curvature(const Positions& V, const std::vector<int>&
     return result;
 }
 
+std::vector<double> line_twist(const Positions& V, const Positions& normals, const std::vector<int>& line, bool closed)
+{
+    const size_t n = line.size();
+    std::vector<double> result(n, 0);
+    for (size_t i = 0; i < n && n > 1; ++i) {
+        const size_t before = i > 0 ? i - 1 : (closed ? n - 1 : 0), after = i + 1 < n ? i + 1 : (closed ? 0 : n - 1);
+        const Vec3 step = V.row(line[after]) - V.row(line[before]);
+        const Vec3 turn = normals.row(line[after]) - normals.row(line[before]);
+        const Vec3 normal = normals.row(line[i]);
+        result[i] = step.squaredNorm() > 0 ? -turn.dot(normal.cross(step)) / step.squaredNorm() : 0;
+    }
+    return result;
+}
+
 } // namespace tapeline

@@ -18,11 +18,15 @@ namespace {
 
 /// Further solves for what rounding left of the residual: the matrix is K M^-1 K, badly conditioned on fine meshes.
 constexpr int refinements = 1;
-/// How far a moment-free line lets the section across it answer the curving of the line itself. 0 keeps the section's
-/// curvature at the line, 1 (the bare Laplacian) opposes it by all of the line's. Chosen with the default stiffness
-/// ratio of 1.8 so that no section of the crease panel and the hood gets an inflection at 100 mm, and the crown changes
-/// by less than a third of what ASAN takes: more of either makes inflections, less makes the crown rounder.
+/// How far a moment-free line lets the section across it answer the curving and twisting of the line itself. 0 keeps the
+/// section's curvature at the line, 1 (the bare D : b) opposes it by all of the line's. Chosen with the default stiffness
+/// ratio of 3 so that no section of the crease panel and the hood gets an inflection at 100 mm, however fine the mesh,
+/// and the crown changes by less than a third of what ASAN takes: more of either makes inflections, less makes the crown
+/// rounder.
 constexpr double poisson_ratio = 0.2;
+/// The twist is known from the pass before only; with fibres so stiff and oblique that it counts more than this many
+/// times the section's own curvature, the passes would not settle.
+constexpr double most_oblique = 5;
 /// A domain triangle that keeps less than this share of its area is not a domain to solve on.
 constexpr double least_area = 1e-3;
 
@@ -264,10 +268,13 @@ void PlateSystem::find_targets(const PlateShape& rest)
         }
     });
     const std::vector<Vec3> bends = polyline_curvature(rest_.V, support_.line, support_.closed);
+    const std::vector<double> twists = line_twist(rest_.V, rest.normals, support_.line, support_.closed);
     for (size_t i = 0; i < bends.size(); ++i) {
         const int v = support_.line[i];
         const Vec3 t = tangent(rest_.V, support_.line, support_.closed, i);
         line_bend_.push_back(bends[i].dot(rest.normals.row(v)) - t.dot(rest.curvature[v] * t));
+        const Vec3 across = Vec3(rest.normals.row(v)).cross(t);
+        line_twist_.push_back(twists[i] - t.dot(rest.curvature[v] * across));
     }
 }
 
@@ -332,6 +339,7 @@ void PlateSystem::fit(const Positions& V)
     });
     const Positions normals = vertex_normals(Mesh{V, rest_.F});
     const std::vector<Vec3> bends = polyline_curvature(V, support_.line, support_.closed);
+    const std::vector<double> twists = line_twist(V, normals, support_.line, support_.closed);
     for (size_t i = 0; i < bends.size(); ++i) {
         const int v = support_.line[i];
         if (unknown_of_[v] >= 0) {
@@ -339,7 +347,13 @@ void PlateSystem::fit(const Positions& V)
         }
         const Vec3 t = tangent(V, support_.line, support_.closed, i), normal = normals.row(v);
         const double more = bends[i].dot(normal) - t.dot(curvature_[v] * t) - line_bend_[i];
-        ends_.row(v) = -(1 - poisson_ratio) * t.dot(shape_.metric[v] * t) * more * normals.row(v);
+        const Vec3 across = normal.cross(t);
+        const double more_twist = twists[i] - t.dot(curvature_[v] * across) - line_twist_[i];
+        const double stiff_across = across.dot(shape_.metric[v] * across);
+        const double oblique =
+            std::clamp(2 * t.dot(shape_.metric[v] * across) / stiff_across, -most_oblique, most_oblique);
+        const double known = t.dot(shape_.metric[v] * t) * more + stiff_across * oblique * more_twist;
+        ends_.row(v) = -(1 - poisson_ratio) * known * normals.row(v);
     }
 }
 

@@ -38,9 +38,10 @@ struct PlateSupport {
 /// corner, to those alone, so that a clamped rim keeps its own rotation. At free vertices of borders it is the rigid
 /// motion of the support: the surface meets a free border as it did, ∂u/∂n = 0.
 ///
-/// Rows of the other vertices are left out: the plate has no moment there. Along `line`, Δ would couple that with the
-/// line's own new curvature (a Poisson ratio of 1); instead that curvature is given to the row, so that the section
-/// across the line keeps its curvature there (a Poisson ratio of 0).
+/// Rows of the other vertices are left out: the plate has no moment there. Along `line`, D : b would couple that with the
+/// line's own new curvature and, where D is oblique to the line, with the surface's twist along it (a Poisson ratio of
+/// 1). Both are known, the twist from the last pass; given to the row, they leave the section across the line its
+/// curvature (a Poisson ratio of 0).
 class PlateSystem {
 public:
     /// Rejected when a triangle has no area or a vertex hangs on no constraint; not converged when the matrix cannot be
@@ -86,7 +87,8 @@ private:
     std::vector<Eigen::Matrix3d> curvature_;            ///< b, carried to the domain
     std::vector<Eigen::Matrix<double, 3, 2>> tangents_; ///< orthonormal, of the domain
     std::vector<Eigen::Matrix2d> unstretched_; ///< inverse of what is fitted to the domain itself, in those tangents
-    std::vector<double> line_bend_; ///< per entry of the line what its curvature vector · n is at rest, less b
+    /// Per entry of the line what its curvature vector · n and the surface's twist along it are at rest, less b.
+    std::vector<double> line_bend_, line_twist_;
     CholeskySolver solver_;
     Positions wanted_; ///< R T of the last fit
     Positions ends_;   ///< rows given along the line

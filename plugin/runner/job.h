@@ -85,7 +85,7 @@ struct MoveSettings {
     std::string rim = "auto";
     double rim_width = 0;
     std::string crease = "free";
-    double plate_stiffness_ratio = 1.8;
+    double plate_stiffness_ratio = 3;
     std::string exact_surface = "auto";
     bool allow_unconverged = false;
 };
