@@ -24,9 +24,8 @@ constexpr int refinements = 1;
 /// and the crown changes by less than a third of what ASAN takes: more of either makes inflections, less makes the crown
 /// rounder.
 constexpr double poisson_ratio = 0.2;
-/// The twist is known from the pass before only; with fibres so stiff and oblique that it counts more than this many
-/// times the section's own curvature, the passes would not settle.
-constexpr double most_oblique = 5;
+/// The twist is known from the pass before only; fibres stiffer than this get less of it, or the passes would not settle.
+constexpr double twist_stiffness = 20;
 /// A domain triangle that keeps less than this share of its area is not a domain to solve on.
 constexpr double least_area = 1e-3;
 
@@ -111,6 +110,7 @@ Result<PlateSystem> PlateSystem::create(const Mesh& rest, const PlateSupport& su
 {
     PlateSystem system;
     system.rest_ = rest;
+    system.twist_share_ = std::min(1.0, twist_stiffness / material.stiffness_ratio);
     system.support_ = support;
     if (auto fine = system.check(); !fine) {
         return tl::unexpected(fine.error());
@@ -349,10 +349,8 @@ void PlateSystem::fit(const Positions& V)
         const double more = bends[i].dot(normal) - t.dot(curvature_[v] * t) - line_bend_[i];
         const Vec3 across = normal.cross(t);
         const double more_twist = twists[i] - t.dot(curvature_[v] * across) - line_twist_[i];
-        const double stiff_across = across.dot(shape_.metric[v] * across);
-        const double oblique =
-            std::clamp(2 * t.dot(shape_.metric[v] * across) / stiff_across, -most_oblique, most_oblique);
-        const double known = t.dot(shape_.metric[v] * t) * more + stiff_across * oblique * more_twist;
+        const double known =
+            t.dot(shape_.metric[v] * t) * more + 2 * twist_share_ * t.dot(shape_.metric[v] * across) * more_twist;
         ends_.row(v) = -(1 - poisson_ratio) * known * normals.row(v);
     }
 }

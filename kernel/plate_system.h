@@ -89,6 +89,7 @@ private:
     std::vector<Eigen::Matrix2d> unstretched_; ///< inverse of what is fitted to the domain itself, in those tangents
     /// Per entry of the line what its curvature vector · n and the surface's twist along it are at rest, less b.
     std::vector<double> line_bend_, line_twist_;
+    double twist_share_ = 1; ///< of the twist that is given to a line vertex's row
     CholeskySolver solver_;
     Positions wanted_; ///< R T of the last fit
     Positions ends_;   ///< rows given along the line
