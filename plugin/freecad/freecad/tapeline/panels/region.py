@@ -214,10 +214,12 @@ class RegionPanel(Panel):
         return bool(mode) and self._picked_surface(place, mode)
 
     def _picked_line(self, place, role):
-        index = place.line([np.asarray(line_set.closed_points(line)) for line in self.lines])
+        moving = self.target.Line.partition("@")[0].strip()
+        others = [line for line in self.lines if str(line.id) != moving]
+        index = place.line([np.asarray(line_set.closed_points(line)) for line in others])
         if index < 0:
             return False
-        self._toggle(role, str(self.lines[index].id))
+        self._toggle(role, str(others[index].id))
         self._paint_lines()
         self.update()
         return True

@@ -10,6 +10,9 @@ from .base import Panel, SavedVisibility, automatic, button, combo, number, row,
 from .curve_editing import CurveEditing, mode_box, prepared
 
 
+HANDY = 20  # control points that a hand can do something with
+
+
 class TargetPanel(Panel):
     title = QT_TRANSLATE_NOOP("Tapeline", "Target line")
     icon_name = "target"
@@ -146,8 +149,13 @@ class TargetPanel(Panel):
         self._describe(curve)
 
     def _describe(self, curve):
-        self.say(translate("Tapeline", "{} control points, {:.1f} mm long. Drag the yellow points in the 3D view.")
-                 .format(len(self.editing.base.control_points), curve.length_mm))
+        count = len(self.editing.base.control_points)
+        text = translate("Tapeline", "{} control points, {:.1f} mm long. Drag the yellow points in the 3D view.").format(
+            count, curve.length_mm)
+        if count > HANDY:
+            text += " " + translate("Tapeline", "A looser tolerance leaves fewer of them; laid on the surface, the line is "
+                                    "exact there all the same.")
+        self.say(text)
 
     def _reset(self):
         self.editing.reset()

@@ -5,7 +5,8 @@ from PySide import QtCore
 
 from .handles import Projection
 
-REACH = 8.0  # pixels to a line
+REACH = 8.0       # pixels to a line
+THICKNESS = 0.03  # of the model's diagonal: a line this far behind the surface under the mouse is not meant
 
 
 def hit(origin, direction, vertices, faces):
@@ -28,10 +29,11 @@ def hit(origin, direction, vertices, faces):
     return face, origin + direction * t[face]
 
 
-def nearest_line(projection, lines, pixel):
-    """Which of some polylines passes a pixel within REACH, the one nearest to the eye where several do, or -1."""
+def nearest_line(projection, lines, pixel, depth=np.inf):
+    """Which of some polylines passes nearest to a pixel, within REACH and no farther from the eye than `depth`, or
+    -1."""
     origin, direction = projection.ray(pixel)
-    best, least = -1, np.inf
+    best, least = -1, REACH
     for number, points in enumerate(lines):
         flat = np.array([projection.pixel(point) for point in points])
         start, step = flat[:-1], np.diff(flat, axis=0)
@@ -39,9 +41,9 @@ def nearest_line(projection, lines, pixel):
         along = np.clip(along, 0, 1)[:, None]
         gaps = np.linalg.norm(start + along * step - pixel, axis=1)
         places = points[:-1] + along * np.diff(points, axis=0)
-        depths = np.where(gaps < REACH, (places - origin) @ direction, np.inf)
-        if depths.min(initial=np.inf) < least:
-            best, least = number, depths.min()
+        gap = np.where((places - origin) @ direction <= depth, gaps, np.inf).min(initial=np.inf)
+        if gap < least:
+            best, least = number, gap
     return best
 
 
@@ -88,5 +90,10 @@ class Place:
         return face, int(corners[np.argmin(np.linalg.norm(self._vertices[corners] - point, axis=1))])
 
     def line(self, lines):
-        """Which of some polylines is under the mouse, or -1."""
-        return nearest_line(self._projection, lines, self._pixel)
+        """Which of some polylines is under the mouse and not behind the surface, or -1."""
+        origin, direction = self._projection.ray(self._pixel)
+        face, point = hit(origin, direction, self._vertices, self._faces)
+        if face < 0:
+            return nearest_line(self._projection, lines, self._pixel)
+        slack = THICKNESS * np.linalg.norm(np.ptp(self._vertices, axis=0))
+        return nearest_line(self._projection, lines, self._pixel, (point - origin) @ direction + slack)

@@ -265,6 +265,11 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/target.py" />
+      <source>A looser tolerance leaves fewer of them; laid on the surface, the line is exact there all the same.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../objects/target.py" />
       <source>A target line has no option '{}'.</source>
       <translation type="unfinished" />

@@ -265,6 +265,11 @@
       <translation>Ein Klick</translation>
     </message>
     <message>
+      <location filename="../../panels/target.py" />
+      <source>A looser tolerance leaves fewer of them; laid on the surface, the line is exact there all the same.</source>
+      <translation>Eine lockerere Toleranz lässt weniger davon übrig; auf die Fläche gelegt, liegt die Linie trotzdem genau auf ihr.</translation>
+    </message>
+    <message>
       <location filename="../../objects/target.py" />
       <source>A target line has no option '{}'.</source>
       <translation>Eine Ziellinie hat keine Option „{}“.</translation>

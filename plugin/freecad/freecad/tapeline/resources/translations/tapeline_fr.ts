@@ -265,6 +265,11 @@
       <translation>Un clic</translation>
     </message>
     <message>
+      <location filename="../../panels/target.py" />
+      <source>A looser tolerance leaves fewer of them; laid on the surface, the line is exact there all the same.</source>
+      <translation>Une tolérance plus lâche en laisse moins ; posée sur la surface, la ligne y est exacte tout de même.</translation>
+    </message>
+    <message>
       <location filename="../../objects/target.py" />
       <source>A target line has no option '{}'.</source>
       <translation>Une ligne cible n'a pas d'option « {} ».</translation>
