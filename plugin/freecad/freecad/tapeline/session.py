@@ -16,7 +16,7 @@ class Held:
     def __init__(self, order):
         self.editor = engine.module().Editor(order.model(), order.feature_line(), **order.keys)
         self.ready = False
-        self.pace = 0.0  # seconds that its last preview took
+        self.pace = 0.0  # seconds that its last quick preview took
         self._lock = threading.Lock()
 
     def prepare(self, order, progress=None, cancel=None):
@@ -31,7 +31,8 @@ class Held:
             self._lock.release()
 
 
-SLACK = 3  # times the budget that a preview may take before coarse triangles are better
+SLACK = 3          # times the budget that a preview may take before coarse triangles are better
+FORGETTING = 0.97  # of a slow pace a preview, so that the fine triangles are tried again some time
 
 _held = Memory(3)
 _making = threading.Lock()
@@ -74,16 +75,20 @@ class MoveSession:
         """Makes good previews of an order possible."""
         _held_for(order).prepare(order, progress, cancel)
 
-    def preview(self, order, budget_ms, progress=None, cancel=None):
+    def preview(self, order, budget_ms, patient=False, progress=None, cancel=None):
         """The engine's preview within a time budget, and whether it stands on the move's own triangles: not where these
-        are yet to be prepared or have taken far more than the budget before."""
+        are yet to be prepared or, unless one is patient, have taken far more than the budget before."""
         held = _held_for(order)
-        rough = coarse(order) if not held.ready or 1000 * held.pace > SLACK * budget_ms else None
+        slow = held.ready and not patient and 1000 * held.pace > SLACK * budget_ms
+        rough = coarse(order) if slow or not held.ready else None
+        if slow:
+            held.pace *= FORGETTING
         if rough is not None:
             held = _held_for(rough)
         held.prepare(rough or order, progress, cancel)
         preview = held.editor.preview(order.target(), budget_ms, progress=progress, cancel=cancel)
-        held.pace = preview.seconds
+        # With patience there was time to measure too, which is not what the mouse has to wait for.
+        held.pace = min(held.pace, preview.seconds) if patient else preview.seconds
         return preview, rough is None
 
     def solve(self, order, progress=None, cancel=None):

@@ -37,7 +37,7 @@ class TargetLine(Proxy):
 
     def compute(self, obj):
         recipe, source = recipe_of(obj), models.source_of(obj.Model)
-        line = worker.run(lambda progress, cancel: build(source, recipe),
+        line = worker.run(lambda progress, cancel: build(source, recipe, progress, cancel),
                           translate("Tapeline", "Making '{}'").format(obj.Label))
         if recipe.dropped_offsets:
             warn(translate("Tapeline", "{}: the number of control points changed, so their moves by hand are gone.")
@@ -91,22 +91,24 @@ _bases = Memory(8)
 _finished = Memory(8)
 
 
-def slid(source, recipe):
+def slid(source, recipe, progress=None, cancel=None):
     """The curve that handles start from: fitted, linked or stored, and slid."""
     key = json.dumps([source.digest, recipe.line, recipe.line_keys, recipe.fit_keys, recipe.slide, recipe.start])
-    return _bases.get(key) or _bases.keep(key, _make_base(models.load(source), recipe))
+    return _bases.get(key) or _bases.keep(key, _make_base(models.load(source), recipe, progress, cancel))
 
 
-def _make_base(model, recipe):
+def _make_base(model, recipe, progress, cancel):
     line = models.line_of(model, recipe.line, recipe.line_keys)
     if not recipe.start:
         slide = {"slide": recipe.slide} if any(recipe.slide) else {}
-        return model.fit_target(line, **recipe.fit_keys, **slide)
+        return model.fit_target(line, progress=progress, cancel=cancel, **recipe.fit_keys, **slide)
     start = curves.from_json(recipe.start)
-    return start.slide(model, line, recipe.slide) if any(recipe.slide) else start
+    if not any(recipe.slide):
+        return start
+    return start.slide(model, line, recipe.slide, progress=progress, cancel=cancel)
 
 
-def finished(source, recipe, target):
+def finished(source, recipe, target, progress=None, cancel=None):
     """Fairing and laying on the surface, as asked for."""
     keys = finish_keys(recipe)
     if not keys:
@@ -119,14 +121,15 @@ def finished(source, recipe, target):
         target = target.fair(recipe.fair_limit)
     if recipe.on_surface:
         model = models.load(source)
-        target = target.on_surface(model, models.line_of(model, recipe.line, recipe.line_keys))
+        target = target.on_surface(model, models.line_of(model, recipe.line, recipe.line_keys), progress=progress,
+                                   cancel=cancel)
     return _finished.keep(key, target)
 
 
-def laid_quickly(order):
+def laid_quickly(order, cancel=None):
     """An order whose curve is laid on the surface without even triangles first: a fraction of a second, near enough for
     a preview."""
-    curve = order.target().on_surface(order.model(), order.feature_line(), remesh="off")
+    curve = order.target().on_surface(order.model(), order.feature_line(), remesh="off", cancel=cancel)
     return order.with_curve(curve.to_json())
 
 
@@ -136,16 +139,16 @@ def finish_keys(recipe):
     return {key: value for key, value in keys.items() if value}
 
 
-def build(source, recipe):
+def build(source, recipe, progress=None, cancel=None):
     """The target line of a recipe: start, slide, moves by hand, fairing, laying on the surface, in this order."""
-    line = slid(source, recipe)
+    line = slid(source, recipe, progress, cancel)
     if recipe.offsets is not None:
         points = np.asarray(line.control_points)
         if len(points) == len(recipe.offsets):
             line = line.with_control_points(points + recipe.offsets)
         else:
             recipe.dropped_offsets = True
-    return finished(source, recipe, line)
+    return finished(source, recipe, line, progress, cancel)
 
 
 def put(obj, line):

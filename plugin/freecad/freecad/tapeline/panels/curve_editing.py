@@ -94,4 +94,5 @@ def mode_box(editing):
 
 def prepared(source, recipe):
     """Background work of a panel that opens or whose recipe changed: normals and the curve to start from."""
-    return lambda progress, cancel: (Normals(models.load(source)), targets.slid(source, recipe))
+    return lambda progress, cancel: (Normals(models.load(source, progress, cancel)),
+                                     targets.slid(source, recipe, progress, cancel))

@@ -123,9 +123,10 @@ class MovePanel(Panel):
         order, options = self.order, self._options()
         if not self.dragged:
             made = order.with_curve(order.curve, **options)
-            return lambda: made
+            return lambda *_: made
         recipe, curve = self.recipe, self.editing.curve
-        return lambda: order.with_curve(targets.finished(order.source, recipe, curve).to_json(), **options)
+        return lambda *watched: order.with_curve(
+            targets.finished(order.source, recipe, curve, *watched).to_json(), **options)
 
     # What happens.
 
@@ -215,7 +216,8 @@ class MovePanel(Panel):
         lay = patience > 1 and self._to_be_laid()
 
         def work(progress, cancel):
-            return maker.preview(targets.laid_quickly(order) if lay else order, budget, progress, cancel)
+            asked = targets.laid_quickly(order, cancel) if lay else order
+            return maker.preview(asked, budget, patience > 1, progress, cancel)
 
         self._asked = time.monotonic()
         self.compute(work, self._previewed, interrupt=self._patient)
@@ -255,7 +257,7 @@ class MovePanel(Panel):
         make, maker = self.exact_order(), self.session
 
         def work(progress, cancel):
-            order = make()
+            order = make(progress, cancel)
             return order, maker.solve(order, progress, cancel)
 
         return work

@@ -137,7 +137,8 @@ class TargetPanel(Panel):
             return
         recipe, source, curve = self.recipe(), self.source, self.editing.curve
         if recipe.fair or recipe.on_surface:
-            self.compute(lambda progress, cancel: targets.finished(source, recipe, curve), self._finished)
+            self.compute(lambda progress, cancel: targets.finished(source, recipe, curve, progress, cancel),
+                         self._finished)
         else:
             self._finished(curve)
 
