@@ -201,6 +201,23 @@ class Panels(unittest.TestCase):
         self.assertIn("Invalid", move.State)
         self.assertEqual(move.getStatusString().count("There is no line 9"), 1)
 
+    def test_the_number_of_control_points_counts_for_a_fitted_and_for_a_slid_line(self):
+        model = api.import_model(PANEL, self.document)
+        api.find_lines(model)
+        panel = open_panel("Tapeline_Target")
+        idle(panel)
+        for law, count in (("", 6), ("0, 20, 30, 20, 0", 8)):
+            panel.law.setText(law)
+            panel.count.setValue(count)
+            panel.law.editingFinished.emit()
+            idle(panel)
+            self.assertEqual(len(panel.editing.base.control_points), count)
+        self.assertTrue(panel.accept())
+        target = self.document.TargetLine
+        self.assertEqual((target.SurfacePoints, target.ControlPoints), (8, 0))
+        target.ViewObject.Proxy.doubleClicked(target.ViewObject)
+        self.assertEqual(Panel.open_panel.count.value(), 8)
+
     def test_a_missing_module_is_said_in_a_box_when_a_command_is_chosen(self):
         sentence = "The compiled Python module 'tapeline' was not found"
         with mock.patch.object(engine, "_module", None), mock.patch.object(engine, "_load", lambda: None):

@@ -54,8 +54,11 @@ class TargetPanel(Panel):
         self.origin.currentIndexChanged.connect(lambda *_: self.update())
         self.rows.addRow(translate("Tapeline", "Starts as"), self.origin)
         keys = recipe.fit_keys if recipe else {}
-        self.count = whole(keys.get("control_points", 0), 0, 1000, automatic())
-        self.count.setToolTip(properties.tooltip(properties.option("control_points")))
+        slid = bool(recipe and any(recipe.slide))
+        self.fit_count = keys.get("control_points", 0) if slid else 0  # a job's, beneath the slide
+        self.count = whole(keys.get("surface_points" if slid else "control_points", 0), 0, 1000, automatic())
+        self.count.setObjectName("count")
+        self.count.setToolTip(translate("Tapeline", "How many control points the line has; few are easier to drag"))
         self.count.valueChanged.connect(lambda *_: self.update())
         self.rows.addRow(translate("Tapeline", "Control points"), self.count)
         self.tolerance = number(keys.get("tolerance", 0), 0, 1e4, 4, " mm")
@@ -102,11 +105,16 @@ class TargetPanel(Panel):
         elif origin == targets.STORED:
             recipe.start = self.target.Stored
         else:
-            # The number of surface points has no field here, only its property.
-            keys = {"control_points": self.count.value(), "tolerance": self.tolerance.value(),
-                    "surface_points": getattr(self.target, "SurfacePoints", 0)}
+            keys = {**self._counts(recipe.slide), "tolerance": self.tolerance.value()}
             recipe.fit_keys = {name: value for name, value in keys.items() if value}
         return recipe
+
+    def _counts(self, law):
+        """The number of control points, which the engine has one option for where a line is fitted and another where it
+        is slid on."""
+        slid = any(law)
+        return {"control_points": self.fit_count if slid else self.count.value(),
+                "surface_points": self.count.value() if slid else 0}
 
     def update(self):
         """Makes the curve to start from anew; moves by hand stay where the number of control points does."""
@@ -154,8 +162,8 @@ class TargetPanel(Panel):
         text = translate("Tapeline", "{} control points, {:.1f} mm long. Drag the yellow points in the 3D view.").format(
             count, curve.length_mm)
         if count > HANDY:
-            text += " " + translate("Tapeline", "A looser tolerance leaves fewer of them; laid on the surface, the line is "
-                                    "exact there all the same.")
+            text += " " + translate("Tapeline", "For fewer of them, say how many; laid on the surface, the line lies on "
+                                    "it all the same.")
         self.say(text)
 
     def _reset(self):
@@ -165,8 +173,8 @@ class TargetPanel(Panel):
     def apply(self):
         recipe = self.recipe()
         values = {"slide": recipe.slide, "fair": recipe.fair, "fair_limit": recipe.fair_limit,
-                  "on_surface": recipe.on_surface, "control_points": self.count.value(),
-                  "tolerance": self.tolerance.value(), **self.line_keys}
+                  "on_surface": recipe.on_surface, "tolerance": self.tolerance.value(), **self._counts(recipe.slide),
+                  **self.line_keys}
         with api.transaction(self.document, self.heading):
             if self.target is None:
                 self.target = targets.create_target(self.document, self.model, recipe.line)

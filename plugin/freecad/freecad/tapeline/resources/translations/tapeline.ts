@@ -265,11 +265,6 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="../../panels/target.py" />
-      <source>A looser tolerance leaves fewer of them; laid on the surface, the line is exact there all the same.</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
       <location filename="../../objects/target.py" />
       <source>A target line has no option '{}'.</source>
       <translation type="unfinished" />
@@ -399,6 +394,11 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="../../panels/target.py" />
+      <source>For fewer of them, say how many; laid on the surface, the line lies on it all the same.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../panels/lines.py" />
       <source>Found: {}. Pick one in the list or by a click on it.</source>
       <translation type="unfinished" />
@@ -427,6 +427,11 @@
     <message>
       <location filename="../../panels/region.py" />
       <source>Hold lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../panels/target.py" />
+      <source>How many control points the line has; few are easier to drag</source>
       <translation type="unfinished" />
     </message>
     <message>

@@ -265,11 +265,6 @@
       <translation>Ein Klick</translation>
     </message>
     <message>
-      <location filename="../../panels/target.py" />
-      <source>A looser tolerance leaves fewer of them; laid on the surface, the line is exact there all the same.</source>
-      <translation>Eine lockerere Toleranz lässt weniger davon übrig; auf die Fläche gelegt, liegt die Linie trotzdem genau auf ihr.</translation>
-    </message>
-    <message>
       <location filename="../../objects/target.py" />
       <source>A target line has no option '{}'.</source>
       <translation>Eine Ziellinie hat keine Option „{}“.</translation>
@@ -399,6 +394,11 @@
       <translation>Folgt…</translation>
     </message>
     <message>
+      <location filename="../../panels/target.py" />
+      <source>For fewer of them, say how many; laid on the surface, the line lies on it all the same.</source>
+      <translation>Für weniger geben Sie ihre Anzahl an; auf die Fläche gelegt, liegt die Linie trotzdem auf ihr.</translation>
+    </message>
+    <message>
       <location filename="../../panels/lines.py" />
       <source>Found: {}. Pick one in the list or by a click on it.</source>
       <translation>Gefunden: {}. Wählen Sie eine in der Liste oder durch einen Klick auf sie.</translation>
@@ -428,6 +428,11 @@
       <location filename="../../panels/region.py" />
       <source>Hold lines</source>
       <translation>Festhalten</translation>
+    </message>
+    <message>
+      <location filename="../../panels/target.py" />
+      <source>How many control points the line has; few are easier to drag</source>
+      <translation>Wie viele Kontrollpunkte die Linie hat; wenige lassen sich leichter ziehen</translation>
     </message>
     <message>
       <location filename="../../panels/curve_editing.py" />

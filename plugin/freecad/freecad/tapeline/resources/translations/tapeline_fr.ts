@@ -265,11 +265,6 @@
       <translation>Un clic</translation>
     </message>
     <message>
-      <location filename="../../panels/target.py" />
-      <source>A looser tolerance leaves fewer of them; laid on the surface, the line is exact there all the same.</source>
-      <translation>Une tolérance plus lâche en laisse moins ; posée sur la surface, la ligne y est exacte tout de même.</translation>
-    </message>
-    <message>
       <location filename="../../objects/target.py" />
       <source>A target line has no option '{}'.</source>
       <translation>Une ligne cible n'a pas d'option « {} ».</translation>
@@ -399,6 +394,11 @@
       <translation>Suit…</translation>
     </message>
     <message>
+      <location filename="../../panels/target.py" />
+      <source>For fewer of them, say how many; laid on the surface, the line lies on it all the same.</source>
+      <translation>Pour en avoir moins, dites combien ; posée sur la surface, la ligne y reste tout de même.</translation>
+    </message>
+    <message>
       <location filename="../../panels/lines.py" />
       <source>Found: {}. Pick one in the list or by a click on it.</source>
       <translation>Trouvées : {}. Choisissez-en une dans la liste ou d'un clic sur elle.</translation>
@@ -428,6 +428,11 @@
       <location filename="../../panels/region.py" />
       <source>Hold lines</source>
       <translation>Tenir</translation>
+    </message>
+    <message>
+      <location filename="../../panels/target.py" />
+      <source>How many control points the line has; few are easier to drag</source>
+      <translation>Combien de points de contrôle a la ligne ; peu se tirent plus facilement</translation>
     </message>
     <message>
       <location filename="../../panels/curve_editing.py" />
