@@ -60,7 +60,8 @@ class Printed:
 def zigzag_roof(creases=(-60, -20, 20, 60), slope=0.35, cell=5.0, length=200.0):
     """Vertices and faces of planes that meet in sharp straight lines along y, one at each of `creases`."""
     edges = np.array([creases[0] - 40, *creases, creases[-1] + 40], dtype=float)
-    heights = np.concatenate(([0.0], np.cumsum(np.diff(edges) * np.where(np.arange(len(edges) - 1) % 2, slope, -slope))))
+    slopes = np.where(np.arange(len(edges) - 1) % 2, slope, -slope)
+    heights = np.concatenate(([0.0], np.cumsum(np.diff(edges) * slopes)))
     x, y = np.arange(edges[0], edges[-1] + cell / 2, cell), np.arange(0, length + cell / 2, cell)
     grid_x, grid_y = np.meshgrid(x, y)
     vertices = np.stack([grid_x.ravel(), grid_y.ravel(), np.interp(grid_x.ravel(), edges, heights)], axis=1)

@@ -15,7 +15,7 @@ class Addon(unittest.TestCase):
     def test_freecad_reads_the_addons_description(self):
         addon = App.Metadata(str(SOURCE / "package.xml"))
         self.assertEqual((addon.Name, addon.Version), ("Tapeline", engine.module().version()))
-        self.assertEqual(addon.Maintainer, [{"name": "The Tapeline maintainers", "email": "maintainers@tapeline.invalid"}])
+        self.assertEqual([person["name"] for person in addon.Maintainer], ["The Tapeline maintainers"])
         workbench, = addon.Content["workbench"]
         self.assertTrue((SOURCE / workbench.Subdirectory / "freecad" / "tapeline" / "init_gui.py").exists())
         self.assertTrue((SOURCE / workbench.Subdirectory / workbench.Icon).exists())

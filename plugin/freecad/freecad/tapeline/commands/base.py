@@ -31,8 +31,8 @@ def guarded(action):
 
 
 class Command:
-    """A command of the workbench. FreeCAD translates its texts, with the command's name as their context, again when the
-    language changes. `needs_document` greys it out without one; `open` does the work and may raise."""
+    """A command of the workbench. FreeCAD translates its texts, with the command's name as their context, again when
+    the language changes. `needs_document` greys it out without one; `open` does the work and may raise."""
 
     name = ""
     icon_name = ""

@@ -17,8 +17,8 @@ class _Named(type):
 
 class Complaint(RuntimeError, metaclass=_Named):
     """What `execute` raises for its one sentence. FreeCAD marks the object in the tree, takes the sentence as its
-    status, and prints traceback, type and text of whatever was raised. Here these are nothing, "Tapeline: LABEL" and the
-    sentence: a traceback is no help where nothing is wrong with the program. Exceptions that are faults of the program
+    status, and prints traceback, type and text of whatever was raised. Here these are nothing, "Tapeline: LABEL" and
+    the sentence: a traceback is no help where nothing is wrong with the program. Exceptions that are faults of the program
     are left as they are, with their traceback."""
 
     speaker = "Tapeline"

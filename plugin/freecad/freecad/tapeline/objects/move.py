@@ -94,7 +94,7 @@ def create_move(document, target, region=None, model=None, line=None, **keys):
         raise engine.UserError(translate("Tapeline", "'{}' is no target line of a model: name the model and the line.")
                                .format(target.Label))
     obj = create(document, "Mesh::FeaturePython", "FeatureLineMove", FeatureLineMove,
-                 translate("Tapeline", "Move of line {}").format(line if line is not None else getattr(target, "Line", "0")))
+                 translate("Tapeline", "Move of line {}").format(getattr(target, "Line", "0") if line is None else line))
     obj.Target, obj.Region = target, region
     obj.Model = model if model is not None else target.Model
     obj.Line = str(line) if line is not None else (target.Line if ours else "0")

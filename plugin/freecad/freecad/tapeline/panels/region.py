@@ -62,7 +62,8 @@ class RegionPanel(Panel):
                  translate("Tapeline", "Feature lines that bound the region, instead of a distance")),
                 ("roi_faces", translate("Tapeline", "Or by faces"), numbers,
                  translate("Tapeline", "CAD faces that make up the region, instead of a distance")),
-                ("roi_box", translate("Tapeline", "Or by a box"), translate("Tapeline", "x, y, z from; x, y, z to (mm)"),
+                ("roi_box", translate("Tapeline", "Or by a box"),
+                 translate("Tapeline", "x, y, z from; x, y, z to (mm)"),
                  translate("Tapeline", "A box along the axes that holds the region, instead of a distance: smallest x, "
                            "y, z, then largest x, y, z in mm")),
                 ("keep", translate("Tapeline", "Keep lines"), numbers,
@@ -169,8 +170,8 @@ class RegionPanel(Panel):
         self.compute(work, self._show)
 
     def _update_quickly(self):
-        """While the slider moves: the band on the triangles that are there; the exact one follows. Vertices and lines go
-        by the numbers of the model before these triangles, so with them only the exact one comes."""
+        """While the slider moves: the band on the triangles that are there; the exact one follows. Vertices and lines
+        go by the numbers of the model before these triangles, so with them only the exact one comes."""
         self._rest.start(settings.rest_delay())
         if self.shown is None or self.fixed or any(self._words(key) for key in LINE_ROLES):
             return

@@ -159,11 +159,11 @@ class TargetPanel(Panel):
 
     def _describe(self, curve):
         count = len(self.editing.base.control_points)
-        text = translate("Tapeline", "{} control points, {:.1f} mm long. Drag the yellow points in the 3D view.").format(
-            count, curve.length_mm)
+        text = translate("Tapeline", "{} control points, {:.1f} mm long. Drag the yellow points in the 3D view.")
+        text = text.format(count, curve.length_mm)
         if count > HANDY:
-            text += " " + translate("Tapeline", "For fewer of them, say how many; laid on the surface, the line lies on "
-                                    "it all the same.")
+            text += " " + translate("Tapeline", "For fewer of them, say how many; laid on the surface, the line lies "
+                                    "on it all the same.")
         self.say(text)
 
     def _reset(self):
