@@ -13,7 +13,7 @@ import window
 from common import PANEL, SLIDE
 from PySide import QtGui
 
-from freecad.tapeline import api, arrays, settings
+from freecad.tapeline import api, arrays, engine, settings
 from freecad.tapeline.panels import files
 from freecad.tapeline.panels.base import Panel
 from freecad.tapeline.scene.handles import Projection
@@ -154,14 +154,19 @@ class Commands(unittest.TestCase):
         self.assertEqual(arrays.rows(move, "Vertices").tobytes(), before)
 
     def test_a_panel_whose_document_is_closed_can_still_be_left(self):
+        def preview_until_cancelled(session, order, budget_ms, patient=False, progress=None, cancel=None):
+            cancel.wait(60)
+            raise engine.module().Cancelled("cancelled")
+
         self.with_target(slide=SLIDE)
-        run("Tapeline_Move")
-        window.wait_until(lambda: Panel.open_panel.background.busy, 40, "the background's start")
-        App.closeDocument(self.document.Name)
-        window.settle(0.5)
-        if Panel.open_panel is not None:
-            Panel.open_panel.reject()
-        window.settle(0.5)
+        with mock.patch.object(MoveSession, "preview", preview_until_cancelled):
+            run("Tapeline_Move")
+            window.wait_until(lambda: Panel.open_panel.background.busy, 40, "the background's start")
+            App.closeDocument(self.document.Name)
+            window.settle(0.5)
+            if Panel.open_panel is not None:
+                Panel.open_panel.reject()
+            window.settle(0.5)
         self.assertFalse(Gui.Control.activeDialog())
 
     def test_a_recompute_can_be_cancelled_behind_its_dialog(self):
