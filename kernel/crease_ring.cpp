@@ -83,8 +83,7 @@ Eigen::Matrix3d frame(const Vec3& along, const Vec3& normal)
 }
 
 std::vector<RingEdge> ring_edges(const SideMesh& side, const Positions& carried, bool closed,
-                                 const std::vector<Vec3>& line, const std::vector<Vec3>& other_normals,
-                                 const std::vector<double>& angles, bool left)
+                                 const std::vector<Vec3>& line, const std::vector<Vec3>& normals, bool left)
 {
     const Mesh inner{carried, side.mesh.F.topRows(side.inner_faces)};
     const Topology topology(inner.F, static_cast<int>(inner.V.rows()));
@@ -94,14 +93,14 @@ std::vector<RingEdge> ring_edges(const SideMesh& side, const Positions& carried,
         RingEdge edge{.from = i, .to = (i + 1) % n};
         const int a = side.line[edge.from], b = side.line[edge.to];
         const int t = left ? topology.face_left_of(a, b) : topology.face_left_of(b, a);
-        if (t < 0) {
+        if (t < 0 || normals[i].isZero(0)) {
             continue;
         }
         edge.apex = inner.F.row(t).sum() - a - b;
         edge.normal_before = triangle_normal(inner, t);
         edge.along_before = (carried.row(b) - carried.row(a)).normalized();
         edge.along_after = (line[edge.to] - line[edge.from]).normalized();
-        edge.normal_after = Eigen::AngleAxisd(angles[i] / degrees, edge.along_after) * other_normals[i];
+        edge.normal_after = normals[i];
         edges.push_back(edge);
     }
     return edges;
@@ -134,15 +133,18 @@ struct LineFrames {
 } // namespace
 
 CreaseRing crease_ring(const SideMesh& side, const Positions& carried, bool closed, const std::vector<Vec3>& line,
-                       const std::vector<Vec3>& other_normals, const std::vector<double>& angles, bool left)
+                       const std::vector<Vec3>& normals, bool left)
 {
-    const std::vector<RingEdge> edges = ring_edges(side, carried, closed, line, other_normals, angles, left);
+    const std::vector<RingEdge> edges = ring_edges(side, carried, closed, line, normals, left);
     const LineFrames frames(side.line.size(), edges);
     std::vector<int> entry(carried.rows(), -1);
     std::vector<char> held(carried.rows(), 0);
-    for (size_t i = 0; i < side.line.size(); ++i) {
-        entry[side.line[i]] = static_cast<int>(i);
+    const size_t n = side.line.size();
+    for (size_t i = 0; i < n; ++i) {
         held[side.line[i]] = 1;
+        const bool first = i == 0 && !closed, last = i + 1 == n && !closed;
+        const bool free = (!first && normals[(i + n - 1) % n].isZero(0)) || (!last && normals[i].isZero(0));
+        entry[side.line[i]] = free ? -1 : static_cast<int>(i);
     }
     for (const std::vector<int>* list : {&side.fixed, &side.guided}) {
         for (const int v : *list) {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/extension_target.h"
 
-#include "kernel/closest_point.h"
-#include "kernel/exact_ground.h"
-#include "kernel/topology.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
@@ -19,10 +15,9 @@ const Vec3 free_target = Vec3::Constant(std::numeric_limits<double>::quiet_NaN()
 
 /// Area-weighted unit normals at the arm's vertices, of those region triangles around each that hang together with the
 /// arm without another feature line between them: at a corner of the model the arm runs on in one face.
-std::vector<Vec3> normals_along(const ExtendedLine& extended, const std::vector<int>& arm)
+std::vector<Vec3> normals_along(const ExtendedLine& extended, const Topology& topology, const std::vector<int>& arm)
 {
     const Mesh& mesh = extended.model.mesh;
-    const Topology topology(mesh.F, static_cast<int>(mesh.V.rows()));
     const auto wall = [&](const MeshEdge& e) {
         return e.face_count != 2 || std::ranges::binary_search(extended.features, VertexPair{e.a, e.b});
     };
@@ -90,19 +85,19 @@ struct Arm {
     Vec3 displacement;
     double slope; ///< of the displacement's size, relative to that size [1/mm]
     Vec3 target;  ///< of the line's end
+    TaperEnd end = TaperEnd::clamped;
 };
 
-Arm arm_of(const ExtendedLine& extended, const Positions& V, const Correspondence& c, bool after, int count)
+Arm arm_of(const ExtendedLine& extended, const Correspondence& c, bool after, const std::vector<int>& entries)
 {
-    const int size = static_cast<int>(extended.vertices.size()), used = static_cast<int>(c.line.vertices.size());
     Arm arm;
-    for (int i = 0; i <= count; ++i) {
-        const int k = after ? extended.last + i : extended.first - i + size;
-        arm.vertices.push_back(extended.vertices[k % size]);
+    for (const int k : entries) {
+        arm.vertices.push_back(extended.vertices[k]);
     }
     arm.displacement = after ? c.displacements.back() : c.displacements.front();
     arm.target = after ? c.targets.back() : c.targets.front();
-    const Vec3 slope = end_slope(V, c, after ? used - 1 : 0, after ? -1 : 1);
+    const int used = static_cast<int>(c.line.vertices.size());
+    const Vec3 slope = end_slope(extended.model.mesh.V, c, after ? used - 1 : 0, after ? -1 : 1);
     const double squared = arm.displacement.squaredNorm();
     arm.slope = squared > 0 ? slope.dot(arm.displacement) / squared : 0;
     return arm;
@@ -119,7 +114,7 @@ std::vector<Vec3> tapered(const Mesh& mesh, const std::vector<Vec3>& normals, co
     std::vector<Vec3> left{vector};
     for (size_t i = 1; i < arm.vertices.size(); ++i) {
         vector = Eigen::Quaterniond::FromTwoVectors(normals[i - 1], normals[i]) * vector;
-        left.push_back(vector * taper(s[i], s.back(), arm.slope));
+        left.push_back(vector * taper(s[i], s.back(), arm.slope, arm.end));
     }
     left.back().setZero();
     return left;
@@ -130,10 +125,11 @@ using PointOnSurface = std::function<Vec3(const Vec3&)>;
 
 /// Targets of an arm's vertices. On the surface: the tapered displacement's end is laid on the triangles; what the
 /// line's own end stands off them fades likewise, so that the extension joins the line without a step.
-std::vector<Vec3> arm_targets(const ExtendedLine& extended, const Arm& arm, const PointOnSurface& lay)
+std::vector<Vec3> arm_targets(const ExtendedLine& extended, const Topology& topology, const Arm& arm,
+                              const PointOnSurface& lay)
 {
     const Mesh& mesh = extended.model.mesh;
-    const std::vector<Vec3> normals = normals_along(extended, arm.vertices);
+    const std::vector<Vec3> normals = normals_along(extended, topology, arm.vertices);
     const std::vector<Vec3> displacements = tapered(mesh, normals, arm, arm.displacement);
     const Vec3 off = lay ? Vec3(arm.target - lay(arm.target)) : Vec3::Zero();
     const std::vector<Vec3> offsets = tapered(mesh, normals, arm, off);
@@ -161,7 +157,7 @@ Result<void> check_room(const Mesh& mesh, const Arm& arm)
     double last = along;
     for (int i = 1; i <= samples; ++i) {
         const double s = length * i / samples;
-        const double moved = s + along * taper(s, length, arm.slope);
+        const double moved = s + along * taper(s, length, arm.slope, arm.end);
         if (moved <= last) {
             return fail(
                 ErrorKind::rejected,
@@ -176,48 +172,77 @@ Result<void> check_room(const Mesh& mesh, const Arm& arm)
 
 } // namespace
 
-double taper(double s, double length, double slope)
+double taper(double s, double length, double slope, TaperEnd end)
 {
     if (s >= length) {
         return 0;
     }
     const double x = s / length, m = std::clamp(slope * length, -3.0, 0.0);
+    if (end == TaperEnd::natural) {
+        // h(0) = 1, h'(0) = m, h(1) = h"(1) = 0.
+        return (1 - x) * (1 + (1 + m) * x * (1 - 0.5 * x));
+    }
     // (1 - x)² (1 + (2 + m) x) is the Hermite cubic with h(0) = 1, h'(0) = m, h(1) = h'(1) = 0.
     return (1 - x) * (1 - x) * (1 + (2 + m) * x);
+}
+
+ExtensionTargets::ExtensionTargets(const ExtendedLine& extended, const Model& rest, const std::vector<int>& faces,
+                                   const ExtensionOptions& options)
+    : extended_(extended), on_surface_(options.on_surface), surface_(rest.mesh, faces),
+      topology_(extended.model.mesh.F, static_cast<int>(extended.model.mesh.V.rows()))
+{
+    if (options.exact_surface && rest.surface) {
+        exact_.emplace(rest, faces);
+    }
+}
+
+std::vector<int> ExtensionTargets::entries(bool after) const
+{
+    const int size = static_cast<int>(extended_.vertices.size()), used = extended_.last - extended_.first + 1;
+    const int beyond = size - used;
+    // On a loop both arms share the part that is not used, each up to its middle.
+    const int open_count = after ? size - 1 - extended_.last : extended_.first;
+    const int count = extended_.closed ? (after ? (beyond + 1) / 2 : beyond + 1 - (beyond + 1) / 2) : open_count;
+    std::vector<int> entries;
+    for (int i = 0; i <= count && beyond > 0; ++i) {
+        entries.push_back((after ? extended_.last + i : extended_.first - i + size) % size);
+    }
+    return entries;
+}
+
+Result<std::vector<Vec3>> ExtensionTargets::beyond(const Correspondence& c, bool after) const
+{
+    const std::vector<int> places = entries(after);
+    if (places.size() < 2) {
+        return std::vector<Vec3>{};
+    }
+    Arm arm = arm_of(extended_, c, after, places);
+    arm.end = topology_.border_vertex(arm.vertices.back()) ? TaperEnd::natural : TaperEnd::clamped;
+    const auto lay = [&](const Vec3& p) -> Vec3 {
+        const auto foot = exact_ ? exact_->closest(p) : std::nullopt;
+        return foot ? *foot : surface_.closest(p).point;
+    };
+    return check_room(extended_.model.mesh, arm).map([&] {
+        return arm_targets(extended_, topology_, arm, on_surface_ ? lay : PointOnSurface());
+    });
 }
 
 Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::vector<int>& faces,
                          const Correspondence& c, const ExtensionOptions& options)
 {
-    const Mesh& mesh = extended.model.mesh;
     const int size = static_cast<int>(extended.vertices.size()), used = static_cast<int>(c.line.vertices.size());
     extended.targets.assign(size, free_target);
     std::copy(c.targets.begin(), c.targets.end(), extended.targets.begin() + extended.first);
-    const int beyond = size - used;
-    if (beyond > 0 && options.target == ExtensionTarget::tapered) {
-        const ClosestPoint surface(rest.mesh, faces);
-        std::optional<ExactGround> exact;
-        if (options.exact_surface && rest.surface) {
-            exact.emplace(rest, faces);
-        }
-        const auto lay = [&](const Vec3& p) -> Vec3 {
-            const auto foot = exact ? exact->closest(p) : std::nullopt;
-            return foot ? *foot : surface.closest(p).point;
-        };
+    if (size > used && options.target == ExtensionTarget::tapered) {
+        const ExtensionTargets prolongation(extended, rest, faces, options);
         for (const bool after : {false, true}) {
-            // On a loop both arms share the part that is not used, each up to its middle.
-            const int open_count = after ? size - 1 - extended.last : extended.first;
-            const int count = extended.closed ? (after ? (beyond + 1) / 2 : beyond + 1 - (beyond + 1) / 2) : open_count;
-            const Arm arm = arm_of(extended, rest.mesh.V, c, after, count);
-            if (count == 0) {
-                continue;
+            const auto targets = prolongation.beyond(c, after);
+            if (!targets) {
+                return tl::unexpected(targets.error());
             }
-            if (auto room = check_room(mesh, arm); !room) {
-                return room;
-            }
-            const std::vector<Vec3> targets = arm_targets(extended, arm, options.on_surface ? lay : PointOnSurface());
-            for (int i = 1; i <= count; ++i) {
-                extended.targets[(after ? extended.last + i : extended.first - i + size) % size] = targets[i];
+            const std::vector<int> entries = prolongation.entries(after);
+            for (size_t i = 1; i < targets->size(); ++i) {
+                extended.targets[entries[i]] = (*targets)[i];
             }
         }
     }
@@ -225,7 +250,7 @@ Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::v
     for (int k = 0; k < size; ++k) {
         const bool in_used = k >= extended.first && k <= extended.last;
         if (!in_used && std::binary_search(rim.begin(), rim.end(), extended.vertices[k])) {
-            extended.targets[k] = mesh.V.row(extended.vertices[k]);
+            extended.targets[k] = extended.model.mesh.V.row(extended.vertices[k]);
         }
     }
     return {};

@@ -46,15 +46,16 @@ Result<void> move_uncut(MoveState& state, const Progress& progress)
 /// side under compression, deform it, sew both together, mend the crease.
 Result<void> move_split(MoveState& state, const Progress& progress)
 {
-    const bool compressed_first = state.keeps_crease();
+    const bool compressed_first = state.keeps_crease(), late = state.tension_decides_ends();
+    const auto retract = [&](bool due) { return due ? state.retract_side(state.compression()) : Result<void>(); };
     const auto tension = [&](const Progress& part) { return state.deform_side(state.tension(), part); };
     const auto compression = [&](const Progress& part) {
-        return state.retract_side(state.compression()).and_then([&] {
-            return state.deform_side(state.compression(), part);
-        });
+        return retract(late).and_then([&] { return state.deform_side(state.compression(), part); });
     };
     return state.extend()
         .and_then([&] { return state.split(); })
+        .and_then([&] { return state.retract_tension(); })
+        .and_then([&] { return retract(!late); })
         .and_then(
             [&] { return compressed_first ? compression(progress.part(0.1, 0.4)) : tension(progress.part(0.1, 0.5)); })
         .and_then(

@@ -5,6 +5,7 @@
 #include "kernel/correspondence.h"
 #include "kernel/crease.h"
 #include "kernel/curve.h"
+#include "kernel/end_slide.h"
 #include "kernel/extension.h"
 #include "kernel/method.h"
 #include "kernel/placement.h"
@@ -35,10 +36,11 @@ struct MoveOptions {
     double active_radius_mm = 0;              ///< of the `sequential` retraction; 0 = up to the nearest fixed vertex
     ExtensionPath extension_path = ExtensionPath::geodesic;
     std::optional<ExtensionTarget> extension_target; ///< default by method
-    double stiffness_ratio = 100;                    ///< μ
-    std::optional<Stiff> stiff;                      ///< default by method
-    std::optional<Placement> placement;              ///< overrules the verdict
-    std::optional<LineSide> compressed_side;         ///< overrules the signed rule
+    double end_slide_mm = 0; ///< how far the line's ends may slide along Lt where that is smoother (kernel/end_slide.h)
+    double stiffness_ratio = 100;            ///< μ
+    std::optional<Stiff> stiff;              ///< default by method
+    std::optional<Placement> placement;      ///< overrules the verdict
+    std::optional<LineSide> compressed_side; ///< overrules the signed rule
     CreaseRestoration crease = CreaseRestoration::automatic;
     double crease_loss = 0.5; ///< `automatic` restores where the mean crease angle fell below this share of L0's
     double tolerance_mm = 0;  ///< solver's wanted error; 0 = 1e-5 of the region's size
@@ -116,6 +118,7 @@ struct MoveResult {
     std::vector<int> extended_line; ///< L̂0 on rest's vertices
     ExtensionPath extension_path = ExtensionPath::geodesic;
     ExtensionTarget extension_target = ExtensionTarget::tapered;
+    EndSlide end_slide{0, 0}; ///< how far the line's ends slid along Lt
     std::vector<AppendedVertex> appended;
     PlacementResult placement;
     std::vector<int> left_faces; ///< region triangles left of L̂0 (all of them stay in one list when not split)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernel/crease_ring.h"
 #include "kernel/move_steps.h"
 
 #include <algorithm>
@@ -54,48 +53,6 @@ std::vector<int> MoveState::tilting_vertices(const SideMesh& side) const
     return tilting;
 }
 
-void MoveState::hold_crease(PlateSupport& support) const
-{
-    const SideMesh& side = sides_[tension()].side;
-    const Mesh& rest = extended_.model.mesh;
-    FeatureLine line;
-    line.vertices = extended_.vertices;
-    line.closed = extended_.closed;
-    std::vector<double> angles = signed_crease_angles(rest, rest.V, line);
-    Mesh moved = rest;
-    sew(sides_[compression()].side, sides_[compression()].V, moved.V);
-    for (size_t i = 0; i < extended_.vertices.size(); ++i) {
-        moved.V.row(extended_.vertices[i]) = extended_.targets[i];
-    }
-    const Topology topology(rest.F, static_cast<int>(rest.V.rows()));
-    const bool left = tension() == 0;
-    std::vector<Vec3> other_normals;
-    for (size_t i = 0; i < angles.size(); ++i) {
-        const int a = extended_.vertices[i], b = extended_.vertices[(i + 1) % extended_.vertices.size()];
-        other_normals.push_back(
-            triangle_normal(moved, left ? topology.face_left_of(b, a) : topology.face_left_of(a, b)));
-        angles[i] *= left ? 1 : -1;
-    }
-    // In their plane the ring's vertices go where the side's stretch takes them.
-    const Mesh stretched{sides_[tension()].rest, side.mesh.F};
-    Positions shift(support.targets.rows(), 3);
-    for (size_t i = 0; i < support.constrained.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        shift.row(row) = support.targets.row(row) - stretched.V.row(support.constrained[i]);
-    }
-    const Positions carried =
-        stretched.V +
-        harmonic_extension(stiffness_matrix(stretched, triangle_elements(stretched, {1})), support.constrained, shift);
-    const CreaseRing ring =
-        crease_ring(side, carried, extended_.closed, extended_.targets, other_normals, angles, left);
-    const Eigen::Index before = support.targets.rows();
-    support.targets.conservativeResize(before + static_cast<Eigen::Index>(ring.vertices.size()), 3);
-    for (size_t i = 0; i < ring.vertices.size(); ++i) {
-        support.constrained.push_back(ring.vertices[i]);
-        support.targets.row(before + static_cast<Eigen::Index>(i)) = ring.targets[i];
-    }
-}
-
 Result<DeformationResult> MoveState::bend_part(const SideState& side, const Constraints& constraints,
                                                const DeformationOptions& options, const std::optional<Positions>& start,
                                                const Progress& progress) const
@@ -105,8 +62,9 @@ Result<DeformationResult> MoveState::bend_part(const SideState& side, const Cons
     if (!keeps_crease()) {
         support.line = side.side.line;
         support.closed = extended_.closed;
-    } else if (&side == &sides_[tension()]) {
-        hold_crease(support);
+    }
+    if (cut_) {
+        hold_ring(&side == &sides_[0] ? 0 : 1, support);
     }
     return bend_plate(Mesh{side.rest, side.side.mesh.F}, support, plate_options(options), start, progress);
 }

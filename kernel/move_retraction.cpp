@@ -102,6 +102,13 @@ Result<void> MoveState::retract_side(int side)
     });
 }
 
+Result<void> MoveState::retract_tension()
+{
+    // A zigzag target compresses the tension side in places; it is retracted there (method.md A5).
+    const bool due = !method_.as_published && runs_into(tension()) > 0;
+    return due ? retract_side(tension()) : Result<void>();
+}
+
 void MoveState::warn_of_folds(const RetractionResult& retraction)
 {
     if (retraction.flipped > 0) {

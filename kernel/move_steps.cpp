@@ -84,6 +84,7 @@ MoveState::MoveState(const Model& model, const Region& region, const MoveOptions
 Result<void> MoveState::correspond_to(const FeatureLine& line, const TargetCurve& target)
 {
     return timed("correspondence", [&]() -> Result<void> {
+        target_ = &target;
         auto found = correspond(model_, line, target, options_.correspondence);
         if (!found) {
             return tl::unexpected(found.error());
@@ -150,6 +151,14 @@ Result<void> MoveState::extend()
             return tl::unexpected(extended.error());
         }
         extended_ = std::move(*extended);
+        if (options_.end_slide_mm > 0) {
+            auto slid = slide_ends(extended_, model_, result_.region.faces, *target_, options, options_.end_slide_mm,
+                                   result_.correspondence);
+            if (!slid) {
+                return tl::unexpected(slid.error());
+            }
+            result_.end_slide = *slid;
+        }
         std::ranges::copy(extended_.warnings, std::back_inserter(result_.warnings));
         // Where the line ends on the rim or runs over what is held, it stays there to the bit.
         for (size_t i = 0; i < extended_.vertices.size(); ++i) {
@@ -248,12 +257,6 @@ Result<void> MoveState::solve_whole(const Progress& progress)
 Result<void> MoveState::deform_side(int side, const Progress& progress)
 {
     const bool tense = side == tension();
-    // A zigzag target compresses the tension side in places; it is retracted there (method.md A5).
-    if (tense && !method_.as_published && runs_into(side) > 0) {
-        if (auto done = retract_side(side); !done) {
-            return done;
-        }
-    }
     return timed(tense ? "deform tension side" : "deform compression side", [&]() -> Result<void> {
         SideState& state = sides_[side];
         std::vector<Vec3> displacements;

@@ -28,6 +28,7 @@ public:
     Result<void> split();                                         ///< Section 5.2
     Result<void> deform_side(int side, const Progress& progress); ///< steps 3 and 5, Sections 5.3, 5.4
     Result<void> retract_side(int side);                          ///< step 4, Section 4
+    Result<void> retract_tension();                               ///< the same where a zigzag compresses the other side
     Result<void> sew_sides();                                     ///< step 6, Section 5.5
     Result<void> restore_lost_crease(const Progress& progress);   ///< step 7, Section 5.6
 
@@ -43,6 +44,8 @@ public:
     bool deforms_whole() const;
     /// Whether the tension side must end in the old crease, so that the compressed side comes first.
     bool keeps_crease() const;
+    /// Whether the tension side's deformation says where the prolongation ends up, before anything can be retracted to it.
+    bool tension_decides_ends() const { return result_.extension_target == ExtensionTarget::free; }
     int compression() const { return static_cast<int>(result_.placement.compressed); }
     int tension() const { return 1 - compression(); }
     MoveResult finish();
@@ -76,7 +79,14 @@ private:
                                         const DeformationOptions& options, const std::optional<Positions>& start,
                                         const Progress& progress) const;
     PlateOptions plate_options(const DeformationOptions& options) const;
-    void hold_crease(PlateSupport& support) const;
+    /// Whether both sides meet along the prolongation as the surface did there at rest.
+    bool guides_ends() const;
+    /// Which edges of the prolonged line those are; `angles` has their creases at rest [deg].
+    std::vector<char> guided_edges(const std::vector<double>& angles) const;
+    /// Per edge of the prolonged line the normal that the side's plate is to have beside it; zero where it is free.
+    std::vector<Vec3> held_normals(int side) const;
+    /// Puts the plate's first ring of vertices where its triangles have those normals.
+    void hold_ring(int side, PlateSupport& support) const;
     /// What the method's own solve is to do at the rim.
     RimControl own_rim_control() const;
     bool makes_transition() const;
@@ -108,6 +118,7 @@ private:
     const Model& model_;
     const MoveOptions& options_;
     const MethodInfo& method_;
+    const TargetCurve* target_ = nullptr;
     double plate_share_ = 0; ///< decided by `place`
     ExtendedLine extended_;
     std::array<SideState, 2> sides_;

@@ -67,6 +67,7 @@ struct MoveSettings {
     std::string retraction = "auto";
     std::string extension_path = "geodesic";
     std::string extension_target = "auto";
+    double end_slide = 0;
     double stiffness_ratio = 100;
     std::string stiff = "auto";
     std::string placement = "auto";

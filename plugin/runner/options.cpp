@@ -177,6 +177,10 @@ void add_move_options(std::vector<Option>& table)
         {.section = "move", .name = "extension_target", .slot = at<m, &M::extension_target>, .commands = moving,
          .help = "Where the prolongation goes: fading to zero at the rim, or free.",
          .choices = {"auto", "tapered", "free"}},
+        {.section = "move", .name = "end_slide", .slot = at<m, &M::end_slide>, .commands = moving,
+         .help = "How far the moved line's ends may slide along their target, giving up its last piece to a smoother "
+                 "prolongation.",
+         .unit = "mm", .min = 0},
         {.section = "move", .name = "stiffness_ratio", .slot = at<m, &M::stiffness_ratio>, .commands = moving,
          .help = "Stiffness along against across; 1 is isotropic.", .min = 1, .max = 1e6},
         {.section = "move", .name = "stiff", .slot = at<m, &M::stiff>, .commands = moving,

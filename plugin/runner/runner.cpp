@@ -113,6 +113,7 @@ MoveOptions move_options(const Job& job)
     options.extension_path = s.extension_path == "edges" ? ExtensionPath::edges : ExtensionPath::geodesic;
     options.extension_target = named<ExtensionTarget>(
         s.extension_target, {{"tapered", ExtensionTarget::tapered}, {"free", ExtensionTarget::free}});
+    options.end_slide_mm = s.end_slide;
     options.stiffness_ratio = s.stiffness_ratio;
     options.stiff = named<Stiff>(s.stiff, {{"along", Stiff::along}, {"across", Stiff::across}});
     options.placement =

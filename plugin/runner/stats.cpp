@@ -67,6 +67,7 @@ ordered_json extension_json(const MoveResult& move)
             {"target", move.extension_target == ExtensionTarget::tapered ? "tapered" : "free"},
             {"added_vertices", move.appended.size()},
             {"appended", appended},
+            {"end_slide_mm", {move.end_slide[0], move.end_slide[1]}},
             {"line", move.extended_line}};
 }
 

@@ -244,3 +244,31 @@ TEST(Taper, FallsMonotonicallyWhateverTheSlope)
     // Within the limits the slope at the line's end is matched.
     EXPECT_NEAR((taper(1e-6, 100, -0.02) - 1) / 1e-6, -0.02, 1e-6);
 }
+
+TEST(Taper, ThatEndsWithTheSurfaceBendsLeast)
+{
+    for (const double slope : {-0.05, -0.03, -0.01, 0.0}) {
+        const auto h = [&](double s) { return taper(s, 100, slope, TaperEnd::natural); };
+        const auto bending = [&](TaperEnd end) {
+            double sum = 0;
+            for (int i = 1; i < 1000; ++i) {
+                const double s = 0.1 * i;
+                const double second =
+                    (taper(s - 0.1, 100, slope, end) - 2 * taper(s, 100, slope, end) + taper(s + 0.1, 100, slope, end));
+                sum += second * second;
+            }
+            return sum;
+        };
+        for (int i = 1; i <= 1000; ++i) {
+            EXPECT_LE(h(0.1 * i), h(0.1 * (i - 1)) + 1e-15);
+        }
+        EXPECT_EQ(h(0), 1);
+        EXPECT_EQ(h(100), 0);
+        EXPECT_NEAR(h(98) - 2 * h(99) + h(100), 0, 1e-3 * (1 - 2 * h(1) + h(2)) + 2e-5) << "straight at the border";
+        EXPECT_NEAR((h(1e-6) - 1) / 1e-6, std::max(slope, -0.03), 1e-6);
+        if (slope == 0) {
+            // ∫ h"² is 3 / L³ against 12 / L³.
+            EXPECT_NEAR(bending(TaperEnd::natural), bending(TaperEnd::clamped) / 4, 5e-3 * bending(TaperEnd::natural));
+        }
+    }
+}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines that close on themselves, end on the model's border, or end with a slide of their own.
+#include "plugin/runner/measures.h"
 #include "tests/support/moves.h"
+#include "tests/support/wide_panel.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -88,4 +90,60 @@ TEST(LineThatEndsOnTheBorder, SlidesItsEndsAlongTheBorder)
             EXPECT_NEAR(move.V(v, 2), crease_panel_height(400, move.V(v, 1)), 0.05);
         }
     }
+}
+
+namespace {
+
+/// y = s for |x| ≤ 200 on the surface z = -x²/12000 - y²/6000 - slope |y|.
+ParametricCurve even_slide(double s, double slope)
+{
+    return {[=](double x) { return Vec3(x, s, -x * x / 12000 - s * s / 6000 - slope * s); },
+            [](double x) { return Vec3(1, 0, -x / 6000); }, -200, 200};
+}
+
+MeasuredMove slide_evenly(const WidePanel& panel, double slope, LineCrease crease)
+{
+    const ParametricCurve target = even_slide(40, slope);
+    MoveOptions options;
+    options.line_crease = crease;
+    MoveResult moved = move_line(panel, target, options);
+    const QualityReport quality = measure_quality(quality_input(moved, target)).value();
+    return {std::move(moved), quality};
+}
+
+} // namespace
+
+TEST(LineThatEndsWithASlide, LetsTheSurfaceGoOnAcrossItsProlongation)
+{
+    for (const Diagonals diagonals : {Diagonals::alternating, Diagonals::random}) {
+        const WidePanel panel(diagonals);
+        for (const LineCrease crease : {LineCrease::free, LineCrease::keep}) {
+            const bool kept = crease == LineCrease::keep;
+            const auto [move, quality] = slide_evenly(panel, std::tan(std::numbers::pi / 30), crease);
+            EXPECT_TRUE(move.converged());
+            // The crease changes along the line; beyond it the change runs out over as far as the end moved.
+            EXPECT_LE(quality.extension_crease_mean_change.value_or(99), 0.3);
+            EXPECT_LE(quality.extension_crease_max_change.value_or(99),
+                      kept ? 0.5 : quality.crease_max_difference + 0.5);
+            EXPECT_EQ(quality.compressed_sections.inflections_after, 0);
+            EXPECT_LE(quality.tension_sections.inflections_after, kept ? 2 : 0);
+            EXPECT_LE(std::abs(quality.bulge_max_mm), 0.1);
+            EXPECT_EQ(quality.flipped, 0);
+            EXPECT_LE(quality.line_error_max_mm, 1e-9);
+        }
+    }
+}
+
+TEST(LineThatEndsWithASlide, LeavesNoKinkBeyondItWhereTheSurfaceIsSmooth)
+{
+    WidePanel dome(Diagonals::alternating);
+    for (int v = 0; v < dome.model.mesh.V.rows(); ++v) {
+        const double x = dome.model.mesh.V(v, 0), y = dome.model.mesh.V(v, 1);
+        dome.model.mesh.V(v, 2) = -x * x / 12000 - y * y / 6000;
+    }
+    const auto [move, quality] = slide_evenly(dome, 0, LineCrease::free);
+    EXPECT_TRUE(move.converged());
+    EXPECT_LE(quality.extension_crease_max_change.value_or(99), 0.5);
+    EXPECT_EQ(quality.flipped, 0);
+    EXPECT_LE(std::abs(quality.bulge_max_mm), 0.1);
 }

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of a move that says how a side's plate meets the other one: along the line where the crease is kept, and
+// along the prolongation, where the surface is to go on as it did.
+#include "kernel/crease_ring.h"
+#include "kernel/move_steps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+namespace tapeline {
+
+namespace {
+
+/// The tension side counts as the one that makes room where the prolongation moves into it by more than this share of the
+/// line's largest displacement, and gradually up to there.
+constexpr double runs_in_clearly = 0.1;
+
+/// How far a displacement of an edge runs into its triangle to the left (side 0) or right [mm].
+double way_into(const Mesh& mesh, int face, const Vec3& direction, int side, const Vec3& displacement)
+{
+    return (side == 0 ? 1 : -1) * displacement.dot(triangle_normal(mesh, face).cross(direction.normalized()));
+}
+
+/// Per edge of the prolonged line how far its middle lies beyond the used part, along the line at rest [mm]; negative
+/// within it. On a loop the prolongation is reached from both ends.
+std::vector<double> way_beyond(const ExtendedLine& line)
+{
+    const int n = static_cast<int>(line.vertices.size()), edges = line.closed ? n : n - 1;
+    std::vector<double> way(edges, -1);
+    const auto walk = [&](int from, int step) {
+        double s = 0;
+        for (int k = 0, e = from; k < edges && (line.closed || (e >= 0 && e < edges)); ++k, e += step) {
+            const int i = (e % n + n) % n;
+            if (i >= line.first && i < line.last) {
+                break;
+            }
+            const double length =
+                (line.model.mesh.V.row(line.vertices[(i + 1) % n]) - line.model.mesh.V.row(line.vertices[i])).norm();
+            way[i] = way[i] < 0 ? s + length / 2 : std::min(way[i], s + length / 2);
+            s += length;
+        }
+    };
+    walk(line.last, 1);
+    walk(line.first - 1, -1);
+    return way;
+}
+
+} // namespace
+
+bool MoveState::guides_ends() const
+{
+    const auto used = static_cast<size_t>(extended_.last - extended_.first) + 1;
+    return cut_ && extended_.vertices.size() > used && !tension_decides_ends();
+}
+
+std::vector<char> MoveState::guided_edges(const std::vector<double>& angles) const
+{
+    const std::vector<double> way = way_beyond(extended_);
+    std::vector<char> guided(angles.size(), 0);
+    for (size_t i = 0; i < angles.size() && guides_ends(); ++i) {
+        if (way[i] < 0) {
+            continue;
+        }
+        // A crease that the line's end takes along changes its angle as the line's does; the change runs out over as far
+        // as the end moved sideways. Where nothing was sharp, nothing may become so.
+        const bool before = static_cast<int>(i) < extended_.first;
+        const int end = before ? extended_.first : extended_.last;
+        const int next = before ? extended_.first + 1 : extended_.last - 1;
+        const Vec3 at = extended_.model.mesh.V.row(extended_.vertices[end]);
+        const Vec3 along = (at - Vec3(extended_.model.mesh.V.row(extended_.vertices[next]))).normalized();
+        const double across = (extended_.targets[end] - at).cross(along).norm();
+        const double sharp =
+            keeps_crease() ? 0 : std::min(1.0, std::abs(angles[i]) / std::max(1e-3, options_.rim_crease_angle));
+        guided[i] = way[i] >= sharp * across ? 1 : 0;
+    }
+    return guided;
+}
+
+std::vector<Vec3> MoveState::held_normals(int side) const
+{
+    const Mesh& rest = extended_.model.mesh;
+    FeatureLine line;
+    line.vertices = extended_.vertices;
+    line.closed = extended_.closed;
+    const std::vector<double> angles = signed_crease_angles(rest, rest.V, line);
+    const bool along_line = keeps_crease() && side == tension();
+    const std::vector<char> guided = guided_edges(angles);
+    // On the line: what the solved other side is like. Beyond its ends: what the side is like that made room there, which
+    // lies on the old surface; the other one goes on from it as it did at rest.
+    Mesh solved = rest;
+    sew(sides_[1 - side].side, sides_[1 - side].V, solved.V);
+    for (size_t i = 0; i < extended_.targets.size() && along_line; ++i) {
+        solved.V.row(extended_.vertices[i]) = extended_.targets[i];
+    }
+    std::array<Mesh, 2> retracted{rest, rest};
+    for (int s = 0; s < 2; ++s) {
+        sew(sides_[s].side, sides_[s].rest, retracted[s].V);
+    }
+    const Topology topology(rest.F, static_cast<int>(rest.V.rows()));
+    std::vector<Vec3> normals(angles.size(), Vec3::Zero());
+    for (size_t i = 0; i < angles.size(); ++i) {
+        const bool used = static_cast<int>(i) >= extended_.first && static_cast<int>(i) < extended_.last;
+        if (used ? !along_line : guided[i] == 0) {
+            continue;
+        }
+        const size_t next = (i + 1) % extended_.vertices.size();
+        const int a = extended_.vertices[i], b = extended_.vertices[next];
+        const std::array<int, 2> beside{topology.face_left_of(a, b), topology.face_left_of(b, a)};
+        const Vec3 along = (extended_.targets[next] - extended_.targets[i]).normalized();
+        const auto after = [&](const Mesh& shape, int source) -> Vec3 {
+            const Vec3 normal = triangle_normal(shape, beside[source]);
+            const double turn = source == side ? 0 : angles[i] * std::numbers::pi / 180 * (side == 0 ? 1 : -1);
+            return Eigen::AngleAxisd(turn, along) * (normal - along * along.dot(normal)).normalized();
+        };
+        if (used) {
+            normals[i] = after(solved, 1 - side);
+            continue;
+        }
+        const Vec3 u = extended_.targets[i] + extended_.targets[next] - Vec3(rest.V.row(a)) - Vec3(rest.V.row(b));
+        const double into = 0.5 * way_into(rest, beside[tension()], rest.V.row(b) - rest.V.row(a), tension(), u);
+        const double share = smooth_step(into, 0, runs_in_clearly * result_.placement.u_max_mm);
+        normals[i] = ((1 - share) * after(retracted[compression()], compression()) +
+                      share * after(retracted[tension()], tension()))
+                         .normalized();
+    }
+    return normals;
+}
+
+void MoveState::hold_ring(int side, PlateSupport& support) const
+{
+    if (!guides_ends() && !(keeps_crease() && side == tension())) {
+        return;
+    }
+    const std::vector<Vec3> normals = held_normals(side);
+    if (std::ranges::all_of(normals, [](const Vec3& normal) { return normal.isZero(0); })) {
+        return;
+    }
+    // In their plane the ring's vertices go where the side's stretch takes them.
+    const Mesh stretched{sides_[side].rest, sides_[side].side.mesh.F};
+    Positions shift(support.targets.rows(), 3);
+    for (size_t i = 0; i < support.constrained.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        shift.row(row) = support.targets.row(row) - stretched.V.row(support.constrained[i]);
+    }
+    const Positions carried =
+        stretched.V +
+        harmonic_extension(stiffness_matrix(stretched, triangle_elements(stretched, {1})), support.constrained, shift);
+    const CreaseRing ring =
+        crease_ring(sides_[side].side, carried, extended_.closed, extended_.targets, normals, side == 0);
+    const Eigen::Index before = support.targets.rows();
+    support.targets.conservativeResize(before + static_cast<Eigen::Index>(ring.vertices.size()), 3);
+    for (size_t i = 0; i < ring.vertices.size(); ++i) {
+        support.constrained.push_back(ring.vertices[i]);
+        support.targets.row(before + static_cast<Eigen::Index>(i)) = ring.targets[i];
+    }
+}
+
+} // namespace tapeline
