@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/extension_target.h"
 
+#include "kernel/placement.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
@@ -133,12 +135,22 @@ std::vector<Vec3> arm_targets(const ExtendedLine& extended, const Topology& topo
     const std::vector<Vec3> displacements = tapered(mesh, normals, arm, arm.displacement);
     const Vec3 off = lay ? Vec3(arm.target - lay(arm.target)) : Vec3::Zero();
     const std::vector<Vec3> offsets = tapered(mesh, normals, arm, off);
+    double edge = 0;
+    for (size_t i = 1; i < arm.vertices.size(); ++i) {
+        edge = std::max(edge, (mesh.V.row(arm.vertices[i]) - mesh.V.row(arm.vertices[i - 1])).norm());
+    }
     std::vector<Vec3> targets;
     for (size_t i = 0; i < arm.vertices.size(); ++i) {
         const Vec3 at = mesh.V.row(arm.vertices[i]);
         const bool still = displacements[i].isZero(0);
         const Vec3 moved = at + displacements[i];
-        targets.push_back(still || !lay ? moved : Vec3(lay(moved) + offsets[i]));
+        if (still || !lay) {
+            targets.push_back(moved);
+            continue;
+        }
+        // What a vertex on a chord stood off the exact surface it keeps as far as it stays: a lift of its own would kink.
+        const double stays = 1 - smooth_step(displacements[i].norm(), 0, edge);
+        targets.push_back(lay(moved) + offsets[i] + stays * (at - lay(at)));
     }
     return targets;
 }

@@ -53,12 +53,14 @@ struct MoveOptions {
     /// Other methods than plate-fl bend a band along the rim once more, as a plate, for the tangent plane; `automatic`
     /// leaves the methods that do not cut the region, and the one as published, as they are.
     RimControl rim = RimControl::automatic;
-    double rim_width_mm = 0;            ///< of that band; 0 = a third of the way to the line (plate-fl: its whole side)
-    double rim_crease_angle = 5;        ///< a rim edge this sharp is a crease already [deg]
-    double plate_stiffness_ratio = 3; ///< μ of plate-fl's plates; its retraction has stiffness_ratio
+    double rim_width_mm = 0;          ///< of that band; 0 = a third of the way to the line (plate-fl: its whole side)
+    double rim_crease_angle = 5;      ///< a rim edge this sharp is a crease already [deg]
+    double plate_stiffness_ratio = 0; ///< μ of plate-fl's plates, not of its retraction; see `plate_stiffness`
     LineCrease line_crease = LineCrease::free; ///< plate-fl only
     bool exact_surface = true; ///< CAD input: a retracted side ends on the exact faces, not on their triangles
 };
+
+double plate_stiffness(const MoveOptions& options); ///< μ of the plates; by default 3, with line_crease `keep` 1
 
 /// What one solver run did.
 struct SolveReport {

@@ -22,6 +22,51 @@ double way_into(const Mesh& mesh, int face, const Vec3& direction, int side, con
     return (side == 0 ? 1 : -1) * displacement.dot(triangle_normal(mesh, face).cross(direction.normalized()));
 }
 
+/// The triangles around a side's vertex that hang together with `face` without one of the side's feature lines between.
+std::vector<int> smooth_sector(const SideMesh& side, const Topology& topology, int vertex, int face)
+{
+    std::vector<int> sector{face};
+    for (size_t i = 0; i < sector.size(); ++i) {
+        for (const int e : topology.face_edges(sector[i])) {
+            const MeshEdge& edge = topology.edge(e);
+            const bool through = (edge.a == vertex || edge.b == vertex) && !edge.border();
+            if (!through || std::ranges::count(side.features, vertex_pair(edge.a, edge.b)) > 0) {
+                continue;
+            }
+            const int next = topology.face_across(sector[i], e);
+            if (std::ranges::count(sector, next) == 0) {
+                sector.push_back(next);
+            }
+        }
+    }
+    return sector;
+}
+
+/// Per edge of the line how a side's surface has turned beside it, from the rest shape to V: around the corner opposite to
+/// the edge. The triangle itself would not do: a cut makes thin ones, which tilt when its vertices, on their chords before,
+/// are laid on the surface.
+std::vector<Eigen::Quaterniond> line_turns(const SideMesh& side, const Positions& V, bool left)
+{
+    const Mesh before{side.mesh.V, side.mesh.F.topRows(side.inner_faces)}, now{V, before.F};
+    const Topology topology(before.F, static_cast<int>(V.rows()));
+    std::vector<Eigen::Quaterniond> turns(side.line.size(), Eigen::Quaterniond::Identity());
+    for (size_t i = 0; i < side.line.size(); ++i) {
+        const int a = side.line[i], b = side.line[(i + 1) % side.line.size()];
+        const int t = left ? topology.face_left_of(a, b) : topology.face_left_of(b, a);
+        if (t < 0) {
+            continue;
+        }
+        const int apex = before.F.row(t).sum() - a - b;
+        Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+        for (const int face : smooth_sector(side, topology, apex, t)) {
+            from += triangle_area(before, face) * triangle_normal(before, face);
+            to += triangle_area(now, face) * triangle_normal(now, face);
+        }
+        turns[i] = Eigen::Quaterniond::FromTwoVectors(from, to);
+    }
+    return turns;
+}
+
 /// Per edge of the prolonged line how far its middle lies beyond the used part, along the line at rest [mm]; negative
 /// within it. On a loop the prolongation is reached from both ends.
 std::vector<double> way_beyond(const ExtendedLine& line)
@@ -93,9 +138,9 @@ std::vector<Vec3> MoveState::held_normals(int side) const
     for (size_t i = 0; i < extended_.targets.size() && along_line; ++i) {
         solved.V.row(extended_.vertices[i]) = extended_.targets[i];
     }
-    std::array<Mesh, 2> retracted{rest, rest};
+    std::array<std::vector<Eigen::Quaterniond>, 2> turns;
     for (int s = 0; s < 2; ++s) {
-        sew(sides_[s].side, sides_[s].rest, retracted[s].V);
+        turns[s] = line_turns(sides_[s].side, sides_[s].rest, s == 0);
     }
     const Topology topology(rest.F, static_cast<int>(rest.V.rows()));
     std::vector<Vec3> normals(angles.size(), Vec3::Zero());
@@ -108,52 +153,50 @@ std::vector<Vec3> MoveState::held_normals(int side) const
         const int a = extended_.vertices[i], b = extended_.vertices[next];
         const std::array<int, 2> beside{topology.face_left_of(a, b), topology.face_left_of(b, a)};
         const Vec3 along = (extended_.targets[next] - extended_.targets[i]).normalized();
-        const auto after = [&](const Mesh& shape, int source) -> Vec3 {
-            const Vec3 normal = triangle_normal(shape, beside[source]);
+        const auto after = [&](const Vec3& normal, int source) -> Vec3 {
             const double turn = source == side ? 0 : angles[i] * std::numbers::pi / 180 * (side == 0 ? 1 : -1);
             return Eigen::AngleAxisd(turn, along) * (normal - along * along.dot(normal)).normalized();
         };
         if (used) {
-            normals[i] = after(solved, 1 - side);
+            normals[i] = after(triangle_normal(solved, beside[1 - side]), 1 - side);
             continue;
         }
         const Vec3 u = extended_.targets[i] + extended_.targets[next] - Vec3(rest.V.row(a)) - Vec3(rest.V.row(b));
         const double into = 0.5 * way_into(rest, beside[tension()], rest.V.row(b) - rest.V.row(a), tension(), u);
         const double share = smooth_step(into, 0, runs_in_clearly * result_.placement.u_max_mm);
-        normals[i] = ((1 - share) * after(retracted[compression()], compression()) +
-                      share * after(retracted[tension()], tension()))
-                         .normalized();
+        for (const int source : {compression(), tension()}) {
+            const Vec3 turned = turns[source][i] * triangle_normal(rest, beside[source]);
+            normals[i] += (source == tension() ? share : 1 - share) * after(turned, source);
+        }
+        normals[i].normalize();
     }
     return normals;
 }
 
-void MoveState::hold_ring(int side, PlateSupport& support) const
+Result<void> MoveState::hold_ring(int side, PlateSupport& support, const PlateOptions& options) const
 {
     if (!guides_ends() && !(keeps_crease() && side == tension())) {
-        return;
+        return {};
     }
     const std::vector<Vec3> normals = held_normals(side);
     if (std::ranges::all_of(normals, [](const Vec3& normal) { return normal.isZero(0); })) {
-        return;
+        return {};
     }
-    // In their plane the ring's vertices go where the side's stretch takes them.
+    // In their plane the ring's vertices go where the plate takes them that ends freely.
     const Mesh stretched{sides_[side].rest, sides_[side].side.mesh.F};
-    Positions shift(support.targets.rows(), 3);
-    for (size_t i = 0; i < support.constrained.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        shift.row(row) = support.targets.row(row) - stretched.V.row(support.constrained[i]);
+    const auto carried = bend_plate(stretched, support, options);
+    if (!carried) {
+        return tl::unexpected(carried.error());
     }
-    const Positions carried =
-        stretched.V +
-        harmonic_extension(stiffness_matrix(stretched, triangle_elements(stretched, {1})), support.constrained, shift);
     const CreaseRing ring =
-        crease_ring(sides_[side].side, carried, extended_.closed, extended_.targets, normals, side == 0);
+        crease_ring(sides_[side].side, carried->V, extended_.closed, extended_.targets, normals, side == 0);
     const Eigen::Index before = support.targets.rows();
     support.targets.conservativeResize(before + static_cast<Eigen::Index>(ring.vertices.size()), 3);
     for (size_t i = 0; i < ring.vertices.size(); ++i) {
         support.constrained.push_back(ring.vertices[i]);
         support.targets.row(before + static_cast<Eigen::Index>(i)) = ring.targets[i];
     }
+    return {};
 }
 
 } // namespace tapeline

@@ -6,6 +6,17 @@
 
 namespace tapeline {
 
+/// A line whose angle is held makes the sections' curvature beside it answer its own curving, the more so the stiffer the
+/// sections are; a free end is corrected for that (kernel/plate_system.cpp).
+double plate_stiffness(const MoveOptions& options)
+{
+    constexpr double free_end = 3, held_end = 1;
+    if (options.plate_stiffness_ratio > 0) {
+        return options.plate_stiffness_ratio;
+    }
+    return options.line_crease == LineCrease::keep ? held_end : free_end;
+}
+
 bool MoveState::keeps_crease() const
 {
     return plate_share_ == 1 && (options_.line_crease == LineCrease::keep || options_.crease == CreaseRestoration::on);
@@ -64,7 +75,9 @@ Result<DeformationResult> MoveState::bend_part(const SideState& side, const Cons
         support.closed = extended_.closed;
     }
     if (cut_) {
-        hold_ring(&side == &sides_[0] ? 0 : 1, support);
+        if (auto held = hold_ring(&side == &sides_[0] ? 0 : 1, support, plate_options(options)); !held) {
+            return tl::unexpected(held.error());
+        }
     }
     return bend_plate(Mesh{side.rest, side.side.mesh.F}, support, plate_options(options), start, progress);
 }
@@ -74,7 +87,7 @@ PlateOptions MoveState::plate_options(const DeformationOptions& options) const
     PlateOptions plate;
     plate.material = options.material;
     plate.material.stiff = Stiff::along;
-    plate.material.stiffness_ratio = std::min(options.material.stiffness_ratio, options_.plate_stiffness_ratio);
+    plate.material.stiffness_ratio = std::min(options.material.stiffness_ratio, plate_stiffness(options_));
     plate.tolerance_mm = options.tolerance_mm;
     plate.max_passes = options.max_iterations;
     return plate;

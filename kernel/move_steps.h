@@ -86,7 +86,7 @@ private:
     /// Per edge of the prolonged line the normal that the side's plate is to have beside it; zero where it is free.
     std::vector<Vec3> held_normals(int side) const;
     /// Puts the plate's first ring of vertices where its triangles have those normals.
-    void hold_ring(int side, PlateSupport& support) const;
+    Result<void> hold_ring(int side, PlateSupport& support, const PlateOptions& options) const;
     /// What the method's own solve is to do at the rim.
     RimControl own_rim_control() const;
     bool makes_transition() const;

@@ -40,7 +40,7 @@ void set_materials(DragStart& start, const MoveOptions& options, const std::vect
     start.slide.stiff_direction = stiff_direction(displacements, ratio);
     start.slide.stiffness_ratio = ratio;
     start.plate = start.slide;
-    start.plate.stiffness_ratio = std::min(ratio, options.plate_stiffness_ratio);
+    start.plate.stiffness_ratio = std::min(ratio, plate_stiffness(options));
     if (options.retraction.value_or(method_info(options.method).retraction) != RetractionMode::harmonic) {
         start.extended.features.clear();
     }

@@ -86,7 +86,7 @@ struct MoveSettings {
     std::string rim = "auto";
     double rim_width = 0;
     std::string crease = "free";
-    double plate_stiffness_ratio = 3;
+    double plate_stiffness_ratio = 0;
     std::string exact_surface = "auto";
     bool allow_unconverged = false;
 };
