@@ -13,7 +13,9 @@
 #include "kernel/region.h"
 #include "kernel/retraction.h"
 #include "kernel/rim.h"
+#include "kernel/strip.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,6 +59,8 @@ struct MoveOptions {
     double rim_crease_angle = 5;      ///< a rim edge this sharp is a crease already [deg]
     double plate_stiffness_ratio = 0; ///< μ of plate-fl's plates, not of its retraction; see `plate_stiffness`
     LineCrease line_crease = LineCrease::free; ///< plate-fl only
+    /// Width of the strips that asan-fl and plate-fl carry along: none = of the bends found, 0 = no strips [mm].
+    std::optional<double> strip_width_mm;
     bool exact_surface = true; ///< CAD input: a retracted side ends on the exact faces, not on their triangles
 };
 
@@ -126,6 +130,7 @@ struct MoveResult {
     std::vector<int> left_faces; ///< region triangles left of L̂0 (all of them stay in one list when not split)
     std::vector<int> right_faces;
     RetractionReport retraction;
+    std::array<StripReport, 2> strips; ///< left and right of the line
     ExactSurfaceReport exact_surface;
     std::vector<SolveReport> solves;
     UniquenessReport uniqueness;

@@ -45,6 +45,10 @@ Result<void> MoveState::restore_lost_crease(const Progress& progress)
         }
         result_.crease.lost_before_restoration = mean_along(rest, line, changed);
         const double angle = mean_along(rest, line, sizes(wanted));
+        // A carried strip keeps its shape; turning its first triangles would bend it.
+        if (sides_[method_.as_published ? compression() : tension()].strip) {
+            return {};
+        }
         const double share = restored_share(angle > 0 ? mean_along(rest, line, kept) / angle : 1);
         if (share == 0) {
             return {};

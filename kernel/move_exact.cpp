@@ -29,9 +29,13 @@ void MoveState::lay_slid_on_cad(SideState& state, Positions& slid)
     }
     SideMesh& side = state.side;
     const ExactSide exact(extended_.model, side, retracts_on_rails());
-    const std::vector<int> moved = exact.moved_vertices(slid);
+    const std::vector<int> moved = without_strip(state, exact.moved_vertices(slid));
     std::vector<int> all = moved;
-    std::ranges::copy_if(side.line, std::back_inserter(all), [&](int v) { return slid.row(v) != side.mesh.V.row(v); });
+    // The line lies on the surface unless it stands on a strip.
+    if (!state.strip) {
+        std::ranges::copy_if(side.line, std::back_inserter(all),
+                             [&](int v) { return slid.row(v) != side.mesh.V.row(v); });
+    }
     const double before = exact.distance(moved, slid);
     exact.lay(all, 1, slid);
     for (size_t i = 0; i < side.guided.size(); ++i) {
@@ -60,7 +64,7 @@ void MoveState::lay_solved_on_cad(SideState& state)
     const double x = std::clamp(gap / limit - 1, 0.0, 1.0), share = (1 - x) * (1 - x) * (1 + 2 * x);
     ExactSurfaceReport& report = result_.exact_surface;
     report.line_gap_mm = gap;
-    const std::vector<int> moved = exact.moved_vertices(state.V);
+    const std::vector<int> moved = without_strip(state, exact.moved_vertices(state.V));
     if (share > 0) {
         const ExactPlacement laid = exact.lay(moved, share, state.V);
         report.applied = share == 1;

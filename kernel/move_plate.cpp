@@ -69,6 +69,10 @@ Result<DeformationResult> MoveState::bend_part(const SideState& side, const Cons
                                                const Progress& progress) const
 {
     PlateSupport support{.constrained = constraints.vertices, .targets = constraints.targets};
+    if (side.strip && !side.strip_settled) {
+        support.carried = side.strip->vertices;
+        support.places = side.strip->places;
+    }
     support.free_slope = tilting_vertices(side.side);
     if (!keeps_crease()) {
         support.line = side.side.line;

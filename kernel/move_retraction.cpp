@@ -78,6 +78,8 @@ Result<void> MoveState::retract_side(int side)
         // The side under tension joins in gradually, as far as a zigzag target compresses it (method.md A5).
         constexpr double whole = 0.1;
         options.share = side == compression() ? 1 : smooth_step(runs_into(side), 0, whole);
+        lay_strip(side, true);
+        options.strip = state.strip ? &*state.strip : nullptr;
         auto slid = retract(state.side, displacements, options);
         if (!slid) {
             return tl::unexpected(slid.error());
@@ -105,8 +107,11 @@ Result<void> MoveState::retract_side(int side)
 Result<void> MoveState::retract_tension()
 {
     // A zigzag target compresses the tension side in places; it is retracted there (method.md A5).
-    const bool due = !method_.as_published && runs_into(tension()) > 0;
-    return due ? retract_side(tension()) : Result<void>();
+    if (!method_.as_published && runs_into(tension()) > 0) {
+        return retract_side(tension());
+    }
+    lay_strip(tension(), false);
+    return {};
 }
 
 void MoveState::warn_of_folds(const RetractionResult& retraction)

@@ -49,6 +49,9 @@ MoveState::Constraints MoveState::constraints(const SideState& side, const std::
     for (size_t i = 0; i < side.side.guided.size(); ++i) {
         hold(side.side.guided[i], side.side.guided_targets[i]);
     }
+    for (size_t k = 0; side.strip_settled && k < side.strip->vertices.size(); ++k) {
+        hold(side.strip->vertices[k], side.strip->places.row(static_cast<Eigen::Index>(k)));
+    }
     for (size_t i = 0; i < side.side.line.size(); ++i) {
         // An extension without a target is free.
         if (line_targets[i].allFinite()) {
@@ -116,6 +119,11 @@ Result<void> MoveState::solve(SideState& side, const std::vector<Vec3>& targets,
     // A side by side of plates is for what runs into sides; in one piece each method has its own solver.
     const double share = &side == &whole_ ? 0 : plate_share_;
     const bool plate = share > 0 && method_.deformer != Deformer::plate, own = !plate || share < 1;
+    if (side.strip && method_.deformer != Deformer::plate) {
+        if (auto settled = settle_strip(side, targets, options, progress.part(0, 0)); !settled) {
+            return settled;
+        }
+    }
     Positions V;
     if (own) {
         auto solved =

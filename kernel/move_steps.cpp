@@ -192,6 +192,7 @@ Result<void> MoveState::split()
             sides_[s].rest = sides_[s].V = sides_[s].side.mesh.V;
         }
         cut_ = true;
+        find_strips();
         warn_of_lines();
         return guide_borders();
     });

@@ -4,6 +4,7 @@
 #include "kernel/move.h"
 #include "kernel/plate.h"
 #include "kernel/split.h"
+#include "kernel/strip_transport.h"
 
 #include <array>
 #include <chrono>
@@ -55,6 +56,8 @@ private:
         SideMesh side;
         Positions rest; ///< the rest shape of the next solve: original, or slid after the retraction
         Positions V;    ///< current positions
+        std::optional<CarriedStrip> strip;
+        bool strip_settled = false; ///< its places are those of the result, to be held
     };
 
     struct Constraints {
@@ -100,6 +103,12 @@ private:
     bool keeps_to_cad() const;
     void lay_slid_on_cad(SideState& state, Positions& slid);
     void lay_solved_on_cad(SideState& state);
+    bool carries_strips() const;
+    void find_strips();
+    void lay_strip(int side, bool rests);
+    Result<void> settle_strip(SideState& side, const std::vector<Vec3>& targets, const DeformationOptions& options,
+                              const Progress& progress);
+    std::vector<int> without_strip(const SideState& state, std::vector<int> vertices) const;
     void warn_of_lines();
     /// How far the line moves into that side where it does so most, as a share of its largest displacement anywhere.
     double runs_into(int side) const;

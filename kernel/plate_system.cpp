@@ -206,9 +206,18 @@ void PlateSystem::predict(const Material& material)
     for (const int i : all) {
         u.row(i) = support_.targets.row(i) - domain_.V.row(support_.constrained[i]);
     }
+    std::vector<int> given = support_.constrained;
+    for (size_t k = 0; k < support_.carried.size(); ++k) {
+        const int v = support_.carried[k];
+        if (unknown_of_[v] >= 0) {
+            given.push_back(v);
+            u.conservativeResize(u.rows() + 1, 3);
+            u.bottomRows(1) = support_.places.row(static_cast<Eigen::Index>(k)) - domain_.V.row(v);
+        }
+    }
     if (!u.isZero(0)) {
         const Eigen::SparseMatrix<double> K = stiffness_matrix(rest_, triangle_elements(rest_, material));
-        Mesh stretched{domain_.V + harmonic_extension(K, support_.constrained, u), rest_.F};
+        Mesh stretched{domain_.V + harmonic_extension(K, given, u), rest_.F};
         bool open = stretched.V.allFinite();
         for (int t = 0; t < rest_.F.rows() && open; ++t) {
             open = triangle_area(stretched, t) > least_area * triangle_area(rest_, t);

@@ -20,12 +20,15 @@ struct PlateSupport {
     std::vector<int> line =
         {}; ///< the chain of free_slope vertices along which the plate ends or kinks, in order; may be empty
     bool closed = false; ///< whether that chain closes
+    /// Free vertices that the domain carries to given places, as a strip that moves with the line and is not stretched.
+    std::vector<int> carried = {};
+    Positions places = {}; ///< one row each [mm]
 };
 
 /// The thin-plate energy of a mesh with its support, factorised once: what kernel/plate iterates on.
 ///
 /// The plate is described over a *domain*: the rest mesh stretched to where the support wants it, by the harmonic
-/// extension of the support's displacements. Over it, with x the positions wanted, K the orthotropic stiffness matrix and
+/// extension of the support's displacements and of the carried vertices'. Over it, with x the positions wanted, K the orthotropic stiffness matrix and
 /// M_a the area of vertex a (a third of each of its triangles that has a free corner),
 ///
 ///     E(x) = Σ_a |(K x)_a - R_a T_a|² / M_a

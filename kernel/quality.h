@@ -26,6 +26,8 @@ struct QualityInput {
     const TargetCurve* target = nullptr; ///< null: no line error
     int stations = 9;                    ///< number of sections across the line
     std::vector<int> extended_line = {}; ///< the line with its prolongation to the rim; empty when there is none
+    std::vector<int> carried = {}; ///< vertices of strips that went along with the line as pieces: they may leave the
+                                   ///< old surface, as the line may, and count in no bulge
 };
 
 /// One section across Lt: four polylines in one plane, each from the line outwards to the region's rim. A list of

@@ -115,6 +115,9 @@ void measure_bulge(const Context& context, QualityReport& report)
             weight[context.rest.F(t, k)] += context.rest_areas[t];
         }
     }
+    for (const int v : context.input.carried) {
+        weight[v] = 0;
+    }
     // The line has a measure of its own: its target may leave the mesh by the chord error.
     std::vector<int> judged;
     std::ranges::copy_if(context.vertices, std::back_inserter(judged),

@@ -77,10 +77,14 @@ Result<RetractionResult> retract(const SideMesh& side, const std::vector<Vec3>& 
             return tl::unexpected(*error);
         }
         const bool on_rails = options.mode == RetractionMode::harmonic;
-        auto task = std::make_unique<RetractionTask>(side, displacements, side.features, on_rails, options.share);
+        const auto task_between = [&](const std::vector<VertexPair>& features) {
+            return std::make_unique<RetractionTask>(side, displacements, features, on_rails, options.share,
+                                                    on_rails ? options.strip : nullptr);
+        };
+        auto task = task_between(side.features);
         if (task->crossed() >= 0) {
             // Soft lines give way where the target crosses another one; sharp ones cannot.
-            task = std::make_unique<RetractionTask>(side, displacements, sharp_features(side), on_rails, options.share);
+            task = task_between(sharp_features(side));
         }
         if (const int entry = task->crossed(); entry >= 0) {
             return tl::unexpected(crossing(side, displacements, entry));

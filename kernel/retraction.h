@@ -4,6 +4,7 @@
 #include "kernel/error.h"
 #include "kernel/orthotropic.h"
 #include "kernel/split.h"
+#include "kernel/strip_transport.h"
 
 #include <vector>
 
@@ -20,7 +21,8 @@ struct RetractionOptions {
     Material material; ///< the same material as the solver's, for `harmonic`
     /// `sequential`: radius R of the area that a sliding vertex drags along [mm]; 0 = up to the nearest fixed vertex
     double active_radius_mm = 0;
-    double share = 1; ///< of the slide that is made, in [0, 1]
+    double share = 1;                    ///< of the slide that is made, in [0, 1]
+    const CarriedStrip* strip = nullptr; ///< `harmonic`: moves with the line as a piece; its outer edge makes the room
 };
 
 struct RetractionResult {
@@ -48,6 +50,9 @@ struct RetractionResult {
 /// other vertices stay in their own smooth part of the side. A feature line that leaves L0 in the displacement's
 /// direction takes the vertex they share along. Where the target crosses another line, lines under 30° are dragged along
 /// like plain surface; crossing a sharper one, or one of side.kept, is rejected.
+///
+/// A carried strip, `harmonic` only, goes where it is carried, less what still lifts its outer edge off the ground, and so
+/// do the line's vertices; the side beyond is slid from its outer edge on.
 ///
 /// `harmonic`: the displacement is the orthotropic harmonic extension of those values (zero on the rim), in components
 /// of frames that are carried over the side in parallel, so that it follows a side that bends round (on a flat side:

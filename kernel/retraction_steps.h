@@ -18,9 +18,10 @@ public:
     /// `displacements` has one entry per entry of side.line. `on_rails`: the other feature lines in the side (`features`,
     /// ascending) and its free borders stay where they are, their vertices slide along them; otherwise the side counts
     /// as smooth all over, and the vertices of free borders that the line does not reach stay. `share` of each
-    /// displacement is slid.
+    /// displacement is slid. `strip`, where there is one, is carried along.
     RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements,
-                   const std::vector<VertexPair>& features, bool on_rails, double share = 1);
+                   const std::vector<VertexPair>& features, bool on_rails, double share = 1,
+                   const CarriedStrip* strip = nullptr);
     RetractionTask(const RetractionTask&) = delete;
     RetractionTask& operator=(const RetractionTask&) = delete;
 
@@ -33,8 +34,8 @@ public:
 
     /// Entry of vertex v in the line, -1 off the line.
     int line_entry(int v) const { return entry_[v]; }
-    /// True where the retraction decides: not on the line, nor fixed, nor a corner of rails, nor on a border that slides
-    /// with the line's end.
+    /// True where the retraction decides: not on the line nor in a carried strip, nor fixed, nor a corner of rails, nor on
+    /// a border that slides with the line's end.
     bool free(int v) const { return free_[v]; }
 
     /// Per line entry the part of its displacement that goes into the side [mm]: with m the mean unit conormal into the
@@ -69,6 +70,7 @@ public:
 private:
     void find_moves(const std::vector<Vec3>& displacements, double share);
     void place_line();
+    void place_strip(const CarriedStrip& strip, const std::vector<Vec3>& displacements);
     void place_guided(const std::vector<Vec3>& displacements);
     void slide_borders(bool others_slide);
     void find_arcs();
@@ -89,6 +91,7 @@ private:
     std::vector<int> entry_;
     std::vector<char> free_;
     std::vector<Vec3> moves_, arcs_;
+    std::vector<double> shares_; ///< per line entry the share of its displacement that is slid
     Positions normals_, start_;
 };
 

@@ -32,7 +32,8 @@ Vec3 conormal(const Mesh& mesh, int t, int a, int b)
 } // namespace
 
 RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements,
-                               const std::vector<VertexPair>& features, bool on_rails, double share)
+                               const std::vector<VertexPair>& features, bool on_rails, double share,
+                               const CarriedStrip* strip)
     : side_(side), inner_(inner_mesh(side)), topology_(inner_.F, static_cast<int>(inner_.V.rows())),
       walls_(on_rails ? features : std::vector<VertexPair>{}), ground_(inner_, walls_), entry_(inner_.V.rows(), -1),
       free_(inner_.V.rows(), 1), normals_(vertex_normals(inner_)), start_(inner_.V)
@@ -57,6 +58,9 @@ RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& di
     find_moves(displacements, share);
     lay_rails(false);
     place_line();
+    if (strip) {
+        place_strip(*strip, displacements);
+    }
     place_guided(displacements);
     slide_borders(on_rails);
     lay_rails(on_rails);
@@ -102,11 +106,13 @@ void RetractionTask::find_moves(const std::vector<Vec3>& displacements, double s
         const Vec3 m = inwards[i].norm() > 0 ? Vec3(inwards[i].normalized()) : Vec3::Zero();
         const double into = displacements[i].dot(m);
         if (into >= 0) {
+            shares_.push_back(share);
             moves_.push_back(share * displacements[i]);
             continue;
         }
         const double s = std::max(0.0, 1 + into / (fade_width * largest));
-        moves_.push_back(share * s * s * (3 - 2 * s) * (displacements[i] - into * m));
+        shares_.push_back(share * s * s * (3 - 2 * s));
+        moves_.push_back(shares_.back() * (displacements[i] - into * m));
     }
 }
 
@@ -116,6 +122,24 @@ void RetractionTask::place_line()
         if (!moves_[i].isZero(0)) {
             start_.row(side_.line[i]) = on_surface(i);
         }
+    }
+}
+
+/// The line on the strip's inner edge goes to its target itself, less what lifts the strip off the ground.
+void RetractionTask::place_strip(const CarriedStrip& strip, const std::vector<Vec3>& displacements)
+{
+    for (size_t i = 0; i < moves_.size(); ++i) {
+        moves_[i] = shares_[i] * (displacements[i] - strip.lifts[i]);
+        if (!moves_[i].isZero(0)) {
+            start_.row(side_.line[i]) = position(side_.line[i]) + moves_[i];
+        }
+    }
+    for (size_t k = 0; k < strip.vertices.size(); ++k) {
+        const int v = strip.vertices[k];
+        const Vec3 lift = at_station(strip, k, strip.lifts), place = strip.places.row(static_cast<Eigen::Index>(k));
+        const Vec3 move = at_station(strip, k, shares_) * (place - position(v) - lift);
+        free_[v] = 0;
+        start_.row(v) = position(v) + move;
     }
 }
 

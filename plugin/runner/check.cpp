@@ -6,6 +6,7 @@
 #include "kernel/closest_point.h"
 #include "kernel/parallel.h"
 #include "kernel/placement.h"
+#include "kernel/strip.h"
 #include "plugin/runner/guard.h"
 #include "plugin/runner/json_text.h"
 #include "plugin/runner/line_sides.h"
@@ -262,6 +263,10 @@ private:
         const bool extended =
             std::ranges::all_of(record_.extended_line, [&](int v) { return v >= 0 && v < rest_.mesh.V.rows(); });
         input.extended_line = extended ? record_.extended_line : std::vector<int>{};
+        input.carried = record_.line.empty()
+                            ? kept_strips(rest_.mesh, after_->model.mesh.V, line_.vertices, line_.closed)
+                            : record_.carried;
+        std::erase_if(input.carried, [&](int v) { return v < 0 || v >= rest_.mesh.V.rows(); });
         const Correspondence line = displacements();
         const auto sides = input.extended_line.empty()
                                ? sides_by_extension(rest_, moved_faces_, line)

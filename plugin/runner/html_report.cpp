@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/html_report.h"
 
+#include "plugin/runner/strips.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -68,6 +70,9 @@ std::vector<std::pair<std::string, std::string>> job_facts(const Job& job, const
                                                on ? "along the surface" : "off the surface"));
         if (on) {
             facts.emplace_back("Gives way", move->placement.compressed == LineSide::left ? "left side" : "right side");
+        }
+        if (const std::string strip = strip_text(*move); !strip.empty()) {
+            facts.emplace_back("Strip", strip);
         }
     }
     return facts;

@@ -88,6 +88,8 @@ struct MoveSettings {
     std::string crease = "free";
     double plate_stiffness_ratio = 0;
     std::string exact_surface = "auto";
+    std::string strip = "auto";
+    double strip_width = 0;
     bool allow_unconverged = false;
 };
 

@@ -266,6 +266,9 @@ QualityInput quality_input(const MoveResult& move, const TargetCurve& target)
     input.closed = move.correspondence.line.closed;
     input.target = &target;
     input.extended_line = move.extended_line;
+    for (const StripReport& strip : move.strips) {
+        input.carried.insert(input.carried.end(), strip.vertices.begin(), strip.vertices.end());
+    }
     if (move.placement.verdict == Placement::off_surface) {
         input.tension_faces = move.region.faces;
         return input;

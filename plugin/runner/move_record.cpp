@@ -19,6 +19,12 @@ Result<MoveRecord> move_record_of(const nlohmann::json& stats, const std::string
         for (const auto& entry : stats.at("extension").at("appended")) {
             record.appended.push_back({entry.at(0).get<int>(), entry.at(1).get<int>(), entry.at(2).get<double>()});
         }
+        for (const char* which : {"left", "right"}) {
+            if (stats.contains("strip") && !stats.at("strip").at(which).is_null()) {
+                const auto vertices = stats.at("strip").at(which).at("vertices").get<std::vector<int>>();
+                record.carried.insert(record.carried.end(), vertices.begin(), vertices.end());
+            }
+        }
         if (std::ranges::any_of(record.line, [](int v) { return v < 0; }) || record.line.empty()) {
             return fail(ErrorKind::unreadable, fmt::format("{}: line.vertices is not a list of indices", source));
         }

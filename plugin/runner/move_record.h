@@ -18,6 +18,7 @@ struct MoveRecord {
     std::string compressed_side;    ///< "left", "right", "none", or empty without statistics
     std::vector<int> extended_line; ///< the line with its prolongation to the rim
     std::vector<AppendedVertex> appended;
+    std::vector<int> carried; ///< vertices of strips that went along with the line
 };
 
 /// Reads the statistics that `tapeline move --stats` wrote. Fails (unreadable) when the file is not one.

@@ -219,6 +219,13 @@ void add_move_options(std::vector<Option>& table)
         {.section = "move", .name = "exact_surface", .slot = at<m, &M::exact_surface>, .commands = moving,
          .help = "CAD input: the side that gives way ends on the exact faces (auto), or on their triangles (off).",
          .choices = {"auto", "off"}},
+        {.section = "move", .name = "strip", .slot = at<m, &M::strip>, .commands = choosing,
+         .help = "plate-fl, asan-fl: a narrow bend beside the line is carried along with it as a piece, where the "
+                 "curvature shows one (auto), or slid over (none).",
+         .choices = {"auto", "none"}},
+        {.section = "move", .name = "strip_width", .slot = at<m, &M::strip_width>, .commands = choosing,
+         .help = "Width of the strips carried along on both sides of the line, whatever the curvature.", .unit = "mm",
+         .min = 0, .zero = "by the curvature beside the line"},
         {.section = "move", .name = "clamp_rings", .slot = at<m, &M::clamp_rings>, .commands = moving,
          .help = "Rings of triangles outside the region that hold its slope at the rim.", .min = 0, .max = 2},
         {.section = "move", .name = "rings", .slot = at<m, &M::rings>, .commands = moving,

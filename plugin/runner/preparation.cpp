@@ -8,6 +8,7 @@
 #include "plugin/runner/preparation_memory.h"
 #include "plugin/runner/region_choice.h"
 #include "plugin/runner/remeshing.h"
+#include "plugin/runner/strips.h"
 #include "plugin/runner/vertex_list.h"
 
 #include <algorithm>
@@ -232,9 +233,8 @@ private:
 
     Result<void> find_target_again()
     {
-        return make_target(made.model, made.line, job_.target, inputs_.target).map([&](TargetChoice choice) {
-            made.target = std::move(choice);
-        });
+        return make_target(made.model, made.line, job_.target, inputs_.target, strip_width(job_.move))
+            .map([&](TargetChoice choice) { made.target = std::move(choice); });
     }
 
     void warn_about_slivers()

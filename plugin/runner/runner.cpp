@@ -4,6 +4,7 @@
 #include "plugin/runner/guard.h"
 #include "plugin/runner/job_outputs.h"
 #include "plugin/runner/sha256.h"
+#include "plugin/runner/strips.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -138,6 +139,7 @@ MoveOptions move_options(const Job& job)
     options.line_crease = s.crease == "keep" ? LineCrease::keep : LineCrease::free;
     options.plate_stiffness_ratio = s.plate_stiffness_ratio;
     options.exact_surface = s.exact_surface != "off";
+    options.strip_width_mm = strip_width(s);
     return options;
 }
 
@@ -246,6 +248,9 @@ std::string outcome_table(const JobOutcome& o)
          fmt::format("{} vertices, {} triangles", o.move.region.vertices.size(), o.move.region.faces.size())}};
     rows.push_back({"solver iterations, error estimate",
                     fmt::format("{}, {:.2g} mm", o.move.iterations(), o.move.error_estimate_mm())});
+    if (const std::string strip = strip_text(o.move); !strip.empty()) {
+        rows.push_back({"strip", strip});
+    }
     if (u.checked) {
         rows.push_back({"uniqueness: distance from a second start",
                         mm(u.distance_mm) + (o.move.ambiguous() ? ", ambiguous" : "")});

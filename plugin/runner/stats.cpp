@@ -2,6 +2,7 @@
 #include "plugin/runner/stats.h"
 
 #include "plugin/runner/json_text.h"
+#include "plugin/runner/strips.h"
 
 #include <fmt/format.h>
 
@@ -206,6 +207,7 @@ ordered_json stats_json(const Job& job, const JobOutcome& o)
     stats["placement"] = placement_json(o.move.placement);
     stats["extension"] = extension_json(o.move);
     stats["retraction"] = retraction_json(o.move.retraction);
+    stats["strip"] = strips_json(o.move);
     stats["inner_lines"] = inner_lines_json(o.inner_lines);
     stats["exact_surface"] = exact_surface_json(o.move.exact_surface);
     stats["solve"] = solve_json(o.move.solves);

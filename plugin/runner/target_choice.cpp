@@ -3,6 +3,7 @@
 
 #include "bspline/edit.h"
 #include "io/target_file.h"
+#include "plugin/runner/strips.h"
 
 #include <fmt/format.h>
 
@@ -59,7 +60,7 @@ bool changes_line(const TargetSettings& settings)
 }
 
 Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, const TargetSettings& settings,
-                                 const std::optional<TargetLine>& given)
+                                 const std::optional<TargetLine>& given, const std::optional<double>& strip_width)
 {
     Result<TargetChoice> choice = first_line(model, line, settings, given);
     std::optional<ExactGround> exact;
@@ -84,9 +85,13 @@ Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, co
     }
     double off = 0; // the surface, where the settings say how many control points
     if (!settings.slide.empty()) {
+        const SlideLaw law = slide_law(settings.slide);
+        const bool bare = !choice || choice->source != "fit" || !settings.edit.empty();
         change([&](const TargetLine& made) {
-            return slide_on_surface(made, model.mesh, slide_law(settings.slide), settings.tolerance, ground,
-                                    settings.surface_points, &off);
+            return slide_on_surface(made, model.mesh, law, settings.tolerance, ground, settings.surface_points, &off);
+        });
+        change([&](const TargetLine& slid) {
+            return slide_on_strips(model, line, slid, law, settings, bare ? 0.0 : strip_width, ground);
         });
     }
     if (settings.fair) {

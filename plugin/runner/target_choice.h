@@ -26,8 +26,10 @@ bool changes_line(const TargetSettings& settings);
 
 /// Makes the target line that the settings ask for: read from the file or fitted to the feature line, then control
 /// points moved (`edit`), slid along the surface (`slide`), faired (`fair`), dropped onto the model (`on_surface`).
-/// `given` takes the place of the file.
+/// `given` takes the place of the file. A fitted line that slides takes bends beside it along (`slide_on_strips`) by the
+/// `strip_width`.
 Result<TargetChoice> make_target(const Model& model, const FeatureLine& line, const TargetSettings& settings,
-                                 const std::optional<TargetLine>& given = {});
+                                 const std::optional<TargetLine>& given = {},
+                                 const std::optional<double>& strip_width = 0.0);
 
 } // namespace tapeline

@@ -26,6 +26,7 @@ int main(int argc, char** argv)
         write_step(folder / "bracket.step", bracket(), "bracket");
         write_step(folder / "panel.step", panel(), "panel");
         write_step(folder / "door.step", door(), "door");
+        write_step(folder / "filleted_panel.step", filleted_panel(), "filleted_panel");
     } catch (const Standard_Failure& failure) {
         std::fprintf(stderr, "make_models: %s\n", failure.GetMessageString());
         return 2;

@@ -27,4 +27,8 @@ TopoDS_Shape panel();
 /// 130 mm above it, and a seam at x = 60 that crosses both. Six faces.
 TopoDS_Shape door();
 
+/// The crease-slide panel with a styled line: along y = 0 the surface drops by 29° and turns flat again through a bend
+/// 8 mm wide. Three faces, the bend one of them.
+TopoDS_Shape filleted_panel();
+
 } // namespace tapeline::models

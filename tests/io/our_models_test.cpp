@@ -220,7 +220,8 @@ TEST(OurModels, ComeOutOfTheirProgramByteForByte)
         const std::string command = fmt::format("{} {}", TAPELINE_MAKE_MODELS, (folder / run).string());
         ASSERT_EQ(std::system(command.c_str()), 0);
     }
-    for (const char* name : {"hood.step", "wheel_arch.step", "pawn.step", "bracket.step", "panel.step", "door.step"}) {
+    for (const char* name : {"hood.step", "wheel_arch.step", "pawn.step", "bracket.step", "panel.step", "door.step",
+                             "filleted_panel.step"}) {
         const auto one = read_file_content((folder / "one") / name), two = read_file_content((folder / "two") / name);
         const auto committed = read_file_content(model_path(name));
         ASSERT_TRUE(one && two && committed);

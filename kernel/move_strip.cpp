@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of a move that takes narrow bends beside the line along with it.
+#include "kernel/exact_ground.h"
+#include "kernel/move_steps.h"
+
+#include <algorithm>
+
+namespace tapeline {
+
+bool MoveState::carries_strips() const
+{
+    const bool asked = !options_.strip_width_mm || *options_.strip_width_mm > 0;
+    return asked && splits() && !method_.as_published && retracts_on_rails() &&
+           result_.extension_target == ExtensionTarget::tapered;
+}
+
+void MoveState::find_strips()
+{
+    if (!carries_strips()) {
+        return;
+    }
+    const FeatureLine& line = result_.correspondence.line;
+    const auto [left, right] = meshes_beside(model_.mesh, line.vertices, line.closed);
+    for (const int side : {0, 1}) {
+        Strip& strip = result_.strips[side].bend;
+        strip = find_strip(side == 0 ? left : right, line.vertices, line.closed);
+        if (options_.strip_width_mm) {
+            strip.carried_mm = *options_.strip_width_mm;
+        }
+    }
+}
+
+void MoveState::lay_strip(int side, bool rests)
+{
+    StripReport& report = result_.strips[side];
+    if (!report.bend.found()) {
+        return;
+    }
+    SideState& state = sides_[side];
+    const auto inner = static_cast<size_t>(state.side.inner_faces);
+    const std::vector<int> faces(state.side.global_faces.begin(), state.side.global_faces.begin() + inner);
+    const ExactGround exact(extended_.model, faces);
+    const ClosestPoint triangles(Mesh{state.side.mesh.V, state.side.mesh.F.topRows(state.side.inner_faces)});
+    const auto ground = [&](const Vec3& p) {
+        const auto place = keeps_to_cad() ? exact.closest(p) : std::optional<Vec3>();
+        return place ? *place : triangles.closest(p).point;
+    };
+    state.strip = carry_strip(state.side, {report.bend.carried_mm, extended_.closed, rests}, extended_.targets, ground);
+    if (state.strip->vertices.empty()) { // narrower than the triangles
+        state.strip.reset();
+        report.bend.carried_mm = 0;
+        return;
+    }
+    report.vertices.clear();
+    for (const int v : state.strip->vertices) {
+        report.vertices.push_back(state.side.to_global[v]);
+    }
+    report.pivot_max = report.lift_max_mm = 0;
+    for (size_t i = 0; i < state.strip->lifts.size() && rests; ++i) {
+        report.pivot_max = std::max(report.pivot_max, std::abs(state.strip->pivots[i]));
+        report.lift_max_mm = std::max(report.lift_max_mm, state.strip->lifts[i].norm());
+    }
+}
+
+Result<void> MoveState::settle_strip(SideState& side, const std::vector<Vec3>& targets,
+                                     const DeformationOptions& options, const Progress& progress)
+{
+    // How far the strip turns about the line is the side's business: a plate tells, the method's own solver then holds it.
+    const Constraints held = constraints(side, targets);
+    return bend_part(side, held, options, {}, progress).map([&](const DeformationResult& bent) {
+        for (size_t k = 0; k < side.strip->vertices.size(); ++k) {
+            side.strip->places.row(static_cast<Eigen::Index>(k)) = bent.V.row(side.strip->vertices[k]);
+        }
+        side.strip_settled = true;
+    });
+}
+
+std::vector<int> MoveState::without_strip(const SideState& state, std::vector<int> vertices) const
+{
+    if (state.strip) {
+        std::erase_if(vertices, [&](int v) { return std::ranges::binary_search(state.strip->vertices, v); });
+    }
+    return vertices;
+}
+
+} // namespace tapeline

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/strip.h"
+
+#include "kernel/geodesic_distance.h"
+#include "kernel/parallel.h"
+#include "kernel/quality.h"
+#include "kernel/sliding.h"
+#include "kernel/topology.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace tapeline {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr int most_stations = 48, samples = 160;
+/// The side is looked at over at most this share of the line's length.
+constexpr double farthest = 0.5;
+/// What is carried beside the bend, so that the carried piece ends in the smooth part of the side [of the bend's width].
+constexpr double margin = 0.25;
+/// Of the way that a bend takes to nine tenths of its angle, the first tenth of the angle may take this share; an even
+/// bend takes a ninth.
+constexpr double early = 0.1, late = 0.9, latest_start = 0.3;
+/// Largest part of the straight fit's squares that the fit with a bend may leave.
+constexpr double unexplained = 0.2;
+
+/// Where a path across the side starts: the middle of a line edge.
+struct Station {
+    MeshPoint from;
+    Vec3 start = Vec3::Zero(), along = Vec3::Zero(), normal = Vec3::Zero(), across = Vec3::Zero();
+};
+
+std::vector<Station> stations(const Mesh& side, const Topology& topology, const std::vector<int>& line, bool closed)
+{
+    std::vector<Station> all;
+    for (size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
+        const int a = line[i], b = line[(i + 1) % line.size()], e = topology.find_edge(a, b);
+        if (e < 0 || !topology.edge(e).border()) {
+            continue;
+        }
+        Station station;
+        const int t = std::max(topology.edge(e).left, topology.edge(e).right);
+        station.from.face = t;
+        for (int k = 0; k < 3; ++k) {
+            station.from.barycentric[k] = side.F(t, k) == a || side.F(t, k) == b ? 0.5 : 0;
+        }
+        const Vec3 p = side.V.row(a), q = side.V.row(b), r = side.V.row(side.F.row(t).sum() - a - b);
+        station.start = 0.5 * (p + q);
+        station.along = (q - p).normalized();
+        station.normal = triangle_normal(side, t);
+        const Vec3 arm = r - p;
+        station.across = (arm - station.along * station.along.dot(arm)).normalized();
+        all.push_back(station);
+    }
+    const size_t n = all.size(), few = std::min<size_t>(n, most_stations);
+    for (size_t i = 0; i < few; ++i) {
+        all[i] = all[(2 * i + 1) * n / (2 * few)];
+    }
+    all.resize(few);
+    return all;
+}
+
+double median(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+Vec3 normal_at(const Mesh& side, const Positions& normals, const MeshPoint& at)
+{
+    Vec3 normal = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        normal += at.barycentric[k] * Vec3(normals.row(side.F(at.face, k)));
+    }
+    return normal;
+}
+
+/// Per station the turn of the normal about the line at each distance, relative to the line [rad].
+std::vector<std::vector<double>> profiles(const Mesh& side, const Topology& topology, const std::vector<Station>& all,
+                                          const std::vector<double>& distances)
+{
+    const Positions normals = vertex_normals(side);
+    std::vector<std::vector<double>> result(all.size(), std::vector<double>(distances.size(), 0));
+    parallel_for(static_cast<int>(all.size()), [&](int i) {
+        const Station& s = all[i];
+        const Vec3 first = normal_at(side, normals, s.from), other = s.along.cross(first);
+        double last = 0;
+        for (size_t k = 0; k < distances.size(); ++k) {
+            const Vec3 n = normal_at(side, normals, slide(side, topology, s.from, s.normal, distances[k] * s.across));
+            const double angle = std::atan2(n.dot(other), n.dot(first));
+            last += std::remainder(angle - last, 2 * std::numbers::pi); // round and round
+            result[i][k] = last;
+        }
+    });
+    return result;
+}
+
+struct BendFit {
+    double left = 1;                        ///< share of the straight fit's squares that is left
+    double width = 0, inner = 0, outer = 0; ///< κ and κ' [1/mm]
+};
+
+BendFit fit_bend(const std::vector<double>& d, const std::vector<double>& tau, double w, double window)
+{
+    size_t n = 0;
+    while (n < d.size() && d[n] <= window * w) {
+        ++n;
+    }
+    Eigen::MatrixXd A(static_cast<Eigen::Index>(n), 3);
+    Eigen::VectorXd b(static_cast<Eigen::Index>(n));
+    for (size_t k = 0; k < n; ++k) {
+        const double weight = std::sqrt(d[std::min(k + 1, n - 1)] - d[k > 0 ? k - 1 : 0]);
+        A.row(static_cast<Eigen::Index>(k)) << weight, weight * d[k], weight * std::max(0.0, d[k] - w);
+        b[static_cast<Eigen::Index>(k)] = weight * tau[k];
+    }
+    const Eigen::VectorXd straight = A.leftCols(2).colPivHouseholderQr().solve(b),
+                          bent = A.colPivHouseholderQr().solve(b);
+    const double one = (A.leftCols(2) * straight - b).squaredNorm(), two = (A * bent - b).squaredNorm();
+    return {one > 0 ? two / one : 1, w, bent[1], bent[1] + bent[2]};
+}
+
+/// The best fit with a width in that range, by thirds.
+BendFit refined(const std::vector<double>& d, const std::vector<double>& tau, BendFit best,
+                std::pair<double, double> range, double window)
+{
+    for (int step = 0; step < 30 && range.second > range.first; ++step) {
+        const double third = (range.second - range.first) / 3;
+        const BendFit a = fit_bend(d, tau, range.first + third, window);
+        const BendFit b = fit_bend(d, tau, range.second - third, window);
+        (a.left <= b.left ? range.second : range.first) = a.left <= b.left ? b.width : a.width;
+        for (const BendFit& fit : {a, b}) {
+            best = fit.left < best.left ? fit : best;
+        }
+    }
+    return best;
+}
+
+/// Where the profile first reaches this share of the bend's angle [mm].
+double reached(const std::vector<double>& d, const std::vector<double>& tau, const BendFit& fit, double share)
+{
+    const double wanted = share * fit.inner * fit.width;
+    const auto there = std::ranges::find_if(tau, [&](double angle) { return angle / wanted >= 1; });
+    return there == tau.end() ? std::numeric_limits<double>::infinity() : d[there - tau.begin()];
+}
+
+bool turns_from_the_line_on(const std::vector<double>& d, const std::vector<double>& tau, const BendFit& fit)
+{
+    const double start = reached(d, tau, fit, early), end = reached(d, tau, fit, late);
+    return std::isfinite(end) && start <= latest_start * end;
+}
+
+/// The share of the stations that turn through at least half of the bend.
+double share_bent(const std::vector<double>& d, const std::vector<std::vector<double>>& all, const BendFit& fit)
+{
+    const auto k =
+        std::min(static_cast<size_t>(std::ranges::lower_bound(d, (1 + margin) * fit.width) - d.begin()), d.size() - 1);
+    const auto bent = std::ranges::count_if(
+        all, [&](const std::vector<double>& tau) { return tau[k] / (fit.inner * fit.width) >= 0.5; });
+    return static_cast<double>(bent) / static_cast<double>(all.size());
+}
+
+} // namespace
+
+Strip find_strip(const Mesh& side, const std::vector<int>& line, bool closed, const StripOptions& options)
+{
+    const Topology topology(side.F, static_cast<int>(side.V.rows()));
+    const std::vector<Station> all = stations(side, topology, line, closed);
+    double length = 0;
+    for (size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
+        length += (side.V.row(line[(i + 1) % line.size()]) - side.V.row(line[i])).norm();
+    }
+    std::vector<double> reaches;
+    for (const Station& s : all) {
+        const MeshPoint end = slide(side, topology, s.from, s.normal, farthest * length * s.across);
+        reaches.push_back((position_of(side, end) - s.start).norm());
+    }
+    const double reach = reaches.empty() ? 0 : median(reaches);
+    if (!(reach > 0)) {
+        return {};
+    }
+    std::vector<double> distances;
+    for (int k = 0; k <= samples; ++k) {
+        distances.push_back(reach * k * k / (samples * samples)); // densest beside the line
+    }
+    const auto each = profiles(side, topology, all, distances);
+    std::vector<double> tau;
+    for (size_t k = 0; k < distances.size(); ++k) {
+        std::vector<double> values;
+        for (const auto& profile : each) {
+            values.push_back(profile[k]);
+        }
+        tau.push_back(median(std::move(values)));
+    }
+    BendFit best;
+    std::pair<double, double> between;
+    for (size_t k = 4; k < distances.size() && options.narrowness * distances[k] <= reach; ++k) {
+        const BendFit fit = fit_bend(distances, tau, distances[k], options.narrowness);
+        const bool bends = std::abs(fit.inner) * fit.width >= options.least_turning * degree &&
+                           std::abs(fit.inner) >= options.contrast * std::abs(fit.outer);
+        if (bends && fit.left < best.left && turns_from_the_line_on(distances, tau, fit)) {
+            best = fit;
+            between = {distances[k - 1], distances[k + 1]};
+        }
+    }
+    best = refined(distances, tau, best, between, options.narrowness);
+    constexpr double most = 0.7;
+    if (best.left > unexplained || share_bent(distances, each, best) < most) {
+        return {};
+    }
+    return {best.width, (1 + margin) * best.width, std::abs(best.inner) * best.width / degree,
+            1 / std::abs(best.inner)};
+}
+
+std::pair<Mesh, Mesh> meshes_beside(const Mesh& mesh, const std::vector<int>& line, bool closed)
+{
+    std::vector<int> faces(mesh.F.rows());
+    std::iota(faces.begin(), faces.end(), 0);
+    const auto sides = sides_of_line(mesh, faces, line, closed);
+    const auto part = [&](const std::vector<int>& list) {
+        Mesh side{mesh.V, Triangles(static_cast<Eigen::Index>(list.size()), 3)};
+        for (size_t i = 0; i < list.size(); ++i) {
+            side.F.row(static_cast<Eigen::Index>(i)) = mesh.F.row(list[i]);
+        }
+        return side;
+    };
+    return {part(sides.first), part(sides.second)};
+}
+
+std::vector<int> strip_vertices(const Mesh& side, const std::vector<int>& line, double width_mm)
+{
+    std::vector<DistanceSeed> seeds;
+    std::vector<char> out(side.V.rows(), 0);
+    for (const int v : line) {
+        seeds.push_back({v, 0, side.V.row(v)});
+        out[v] = 1;
+    }
+    const Topology topology(side.F, static_cast<int>(side.V.rows()));
+    const std::vector<double> distance = geodesic_distance(side, topology, seeds, 2 * width_mm);
+    constexpr double same = 1e-9;
+    std::vector<int> vertices;
+    for (int v = 0; v < static_cast<int>(out.size()); ++v) {
+        if (!out[v] && distance[v] <= width_mm * (1 + same)) {
+            vertices.push_back(v);
+        }
+    }
+    return vertices;
+}
+
+std::vector<int> kept_strips(const Mesh& rest, const Positions& moved, const std::vector<int>& line, bool closed)
+{
+    std::vector<int> vertices;
+    const auto [left, right] = meshes_beside(rest, line, closed);
+    for (const Mesh& side : {left, right}) {
+        const Strip before = find_strip(side, line, closed);
+        const Strip after = before.found() ? find_strip({moved, side.F}, line, closed) : Strip{};
+        constexpr double about = 0.1;
+        if (after.found() && std::abs(after.width_mm - before.width_mm) < about * before.width_mm &&
+            std::abs(after.turning - before.turning) < about * before.turning) {
+            const auto found = strip_vertices(side, line, (1 + about) * before.carried_mm);
+            vertices.insert(vertices.end(), found.begin(), found.end());
+        }
+    }
+    return vertices;
+}
+
+std::vector<Vec3> points_across(const Mesh& side, const std::vector<int>& line, bool closed, double distance_mm)
+{
+    const Topology topology(side.F, static_cast<int>(side.V.rows()));
+    const size_t n = line.size();
+    std::vector<Vec3> conormals(n, Vec3::Zero());
+    for (size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+        const size_t j = (i + 1) % n;
+        const int e = topology.find_edge(line[i], line[j]);
+        if (e < 0) {
+            continue;
+        }
+        const int t = std::max(topology.edge(e).left, topology.edge(e).right);
+        const Vec3 along = (side.V.row(line[j]) - side.V.row(line[i])).normalized();
+        const Vec3 arm = side.V.row(side.F.row(t).sum() - line[i] - line[j]) - side.V.row(line[i]);
+        const Vec3 m = (arm - along * along.dot(arm)).normalized();
+        conormals[i] += m;
+        conormals[j] += m;
+    }
+    std::vector<Vec3> points;
+    for (size_t i = 0; i < n; ++i) {
+        const Vec3 p = side.V.row(line[i]);
+        const MeshPoint end = conormals[i].isZero(0)
+                                  ? MeshPoint{}
+                                  : slide(side, topology, line[i], distance_mm * conormals[i].normalized());
+        points.push_back(end.face < 0 ? p : position_of(side, end));
+    }
+    return points;
+}
+
+} // namespace tapeline
