@@ -4,6 +4,7 @@
 #include "kernel/deformation.h"
 #include "kernel/local_global.h"
 #include "kernel/parallel.h"
+#include "kernel/plate_domain.h"
 #include "kernel/topology.h"
 
 #include <Eigen/Geometry>
@@ -26,8 +27,6 @@ constexpr int refinements = 1;
 constexpr double poisson_ratio = 0.2;
 /// The twist is known from the pass before only; fibres stiffer than this get less of it, or the passes would not settle.
 constexpr double twist_stiffness = 20;
-/// A domain triangle that keeps less than this share of its area is not a domain to solve on.
-constexpr double least_area = 1e-3;
 
 std::string place(const Mesh& mesh, int v)
 {
@@ -202,30 +201,17 @@ void PlateSystem::predict(const Material& material)
     if (!motion.still) {
         domain_.V = (rest_.V * motion.R.transpose()).rowwise() + motion.shift.transpose();
     }
-    Positions u(support_.targets.rows(), 3);
-    for (const int i : all) {
-        u.row(i) = support_.targets.row(i) - domain_.V.row(support_.constrained[i]);
-    }
     std::vector<int> given = support_.constrained;
+    std::vector<int> free_entries;
     for (size_t k = 0; k < support_.carried.size(); ++k) {
-        const int v = support_.carried[k];
-        if (unknown_of_[v] >= 0) {
-            given.push_back(v);
-            u.conservativeResize(u.rows() + 1, 3);
-            u.bottomRows(1) = support_.places.row(static_cast<Eigen::Index>(k)) - domain_.V.row(v);
+        if (unknown_of_[support_.carried[k]] >= 0) {
+            given.push_back(support_.carried[k]);
+            free_entries.push_back(static_cast<int>(k));
         }
     }
-    if (!u.isZero(0)) {
-        const Eigen::SparseMatrix<double> K = stiffness_matrix(rest_, triangle_elements(rest_, material));
-        Mesh stretched{domain_.V + harmonic_extension(K, given, u), rest_.F};
-        bool open = stretched.V.allFinite();
-        for (int t = 0; t < rest_.F.rows() && open; ++t) {
-            open = triangle_area(stretched, t) > least_area * triangle_area(rest_, t);
-        }
-        if (open) {
-            domain_ = std::move(stretched);
-        }
-    }
+    Positions places(static_cast<Eigen::Index>(given.size()), 3);
+    places << support_.targets, support_.places(free_entries, Eigen::all);
+    domain_.V = stretched_domain(rest_, domain_.V, given, places, material);
     for (const int i : all) {
         domain_.V.row(support_.constrained[i]) = support_.targets.row(i);
     }

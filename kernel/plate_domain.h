@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/orthotropic.h"
+
+#include <vector>
+
+namespace tapeline {
+
+/// What a plate is described over: the rest mesh, moved to `start` and stretched from there so that the listed vertices
+/// (without repeats, one on each connected part) come to `places`, by the harmonic extension of what they still have to
+/// go. `start` itself, to the bit, where nothing is to be stretched or a triangle would keep less than a thousandth of its
+/// area.
+Positions stretched_domain(const Mesh& rest, const Positions& start, const std::vector<int>& vertices,
+                           const Positions& places, const Material& material);
+
+} // namespace tapeline
