@@ -198,7 +198,7 @@ TEST(OurModels, DoorHasTwoLinesAndASeamThatCrossesBoth)
         const double x = edge.middle.x(), y = edge.middle.y();
         if (std::abs(y) < 1e-6) {
             shoulder += edge.length;
-            EXPECT_NEAR(edge.angle, 14, 0.5);
+            EXPECT_NEAR(edge.angle, 14, 0.7);
         } else if (std::abs(x - 60) < 1e-6) {
             seam += edge.length;
             EXPECT_NEAR(edge.angle, 12, 0.7);
