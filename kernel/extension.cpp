@@ -271,4 +271,16 @@ Result<ExtendedLine> extend_line(const Model& model, const Region& region, const
     }
 }
 
+ExtendedLine unextended(const Model& model, const Region& region, const Correspondence& correspondence)
+{
+    ExtendedLine line;
+    line.model = model;
+    line.region = region;
+    line.vertices = correspondence.line.vertices;
+    line.closed = correspondence.line.closed;
+    line.last = static_cast<int>(line.vertices.size()) - 1;
+    line.targets = correspondence.targets;
+    return line;
+}
+
 } // namespace tapeline

@@ -55,4 +55,7 @@ struct ExtendedLine {
 Result<ExtendedLine> extend_line(const Model& model, const Region& region, const Correspondence& correspondence,
                                  const ExtensionOptions& options = {});
 
+/// The line as it is, with nothing beyond its ends, for methods that keep the region in one piece.
+ExtendedLine unextended(const Model& model, const Region& region, const Correspondence& correspondence);
+
 } // namespace tapeline

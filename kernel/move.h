@@ -95,14 +95,6 @@ struct UniquenessReport {
     double seconds = 0;             ///< of the second runs
 };
 
-struct RetractionReport {
-    bool applied = false;
-    RetractionMode mode = RetractionMode::harmonic;
-    double min_area_ratio = 1;
-    int flipped = 0;
-    int crossings = 0;
-};
-
 /// How far the free vertices of the compressed side lie from the exact CAD surface. Only for moves on the surface of
 /// models that have one, and only as far as the target lies on it: vertices of the line stay on the target.
 struct ExactSurfaceReport {

@@ -190,11 +190,15 @@ Result<void> MoveState::hold_ring(int side, PlateSupport& support, const PlateOp
     }
     const CreaseRing ring =
         crease_ring(sides_[side].side, carried->V, extended_.closed, extended_.targets, normals, side == 0);
-    const Eigen::Index before = support.targets.rows();
-    support.targets.conservativeResize(before + static_cast<Eigen::Index>(ring.vertices.size()), 3);
+    const std::optional<CarriedStrip>& strip = sides_[side].strip;
     for (size_t i = 0; i < ring.vertices.size(); ++i) {
+        // A strip that rests on the old surface, or is held, is at its place.
+        if (strip && (strip->settled || side == compression()) && strip->has(ring.vertices[i])) {
+            continue;
+        }
         support.constrained.push_back(ring.vertices[i]);
-        support.targets.row(before + static_cast<Eigen::Index>(i)) = ring.targets[i];
+        support.targets.conservativeResize(support.targets.rows() + 1, 3);
+        support.targets.bottomRows(1) = ring.targets[i].transpose();
     }
     return {};
 }

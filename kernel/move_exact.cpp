@@ -14,6 +14,12 @@ namespace {
 /// line's mean edge].
 constexpr double off_of_slide = 1e-3, off_of_edge = 3e-3;
 
+std::vector<int> without_strip(const std::optional<CarriedStrip>& strip, std::vector<int> vertices)
+{
+    std::erase_if(vertices, [&](int v) { return strip && strip->has(v); });
+    return vertices;
+}
+
 } // namespace
 
 bool MoveState::keeps_to_cad() const
@@ -29,7 +35,7 @@ void MoveState::lay_slid_on_cad(SideState& state, Positions& slid)
     }
     SideMesh& side = state.side;
     const ExactSide exact(extended_.model, side, retracts_on_rails());
-    const std::vector<int> moved = without_strip(state, exact.moved_vertices(slid));
+    const std::vector<int> moved = without_strip(state.strip, exact.moved_vertices(slid));
     std::vector<int> all = moved;
     // The line lies on the surface unless it stands on a strip.
     if (!state.strip) {
@@ -64,7 +70,7 @@ void MoveState::lay_solved_on_cad(SideState& state)
     const double x = std::clamp(gap / limit - 1, 0.0, 1.0), share = (1 - x) * (1 - x) * (1 + 2 * x);
     ExactSurfaceReport& report = result_.exact_surface;
     report.line_gap_mm = gap;
-    const std::vector<int> moved = without_strip(state, exact.moved_vertices(state.V));
+    const std::vector<int> moved = without_strip(state.strip, exact.moved_vertices(state.V));
     if (share > 0) {
         const ExactPlacement laid = exact.lay(moved, share, state.V);
         report.applied = share == 1;

@@ -69,7 +69,7 @@ Result<DeformationResult> MoveState::bend_part(const SideState& side, const Cons
                                                const Progress& progress) const
 {
     PlateSupport support{.constrained = constraints.vertices, .targets = constraints.targets};
-    if (side.strip && !side.strip_settled) {
+    if (side.strip && !side.strip->settled) {
         support.carried = side.strip->vertices;
         support.places = side.strip->places;
     }

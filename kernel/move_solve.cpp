@@ -49,7 +49,7 @@ MoveState::Constraints MoveState::constraints(const SideState& side, const std::
     for (size_t i = 0; i < side.side.guided.size(); ++i) {
         hold(side.side.guided[i], side.side.guided_targets[i]);
     }
-    for (size_t k = 0; side.strip_settled && k < side.strip->vertices.size(); ++k) {
+    for (size_t k = 0; side.strip && side.strip->settled && k < side.strip->vertices.size(); ++k) {
         hold(side.strip->vertices[k], side.strip->places.row(static_cast<Eigen::Index>(k)));
     }
     for (size_t i = 0; i < side.side.line.size(); ++i) {
@@ -120,7 +120,7 @@ Result<void> MoveState::solve(SideState& side, const std::vector<Vec3>& targets,
     const double share = &side == &whole_ ? 0 : plate_share_;
     const bool plate = share > 0 && method_.deformer != Deformer::plate, own = !plate || share < 1;
     if (side.strip && method_.deformer != Deformer::plate) {
-        if (auto settled = settle_strip(side, targets, options, progress.part(0, 0)); !settled) {
+        if (auto settled = settle_strip(side, targets, options); !settled) {
             return settled;
         }
     }

@@ -28,18 +28,6 @@ double mean_size(const std::vector<Vec3>& vectors)
 
 } // namespace
 
-ExtendedLine unextended(const Model& model, const Region& region, const Correspondence& correspondence)
-{
-    ExtendedLine line;
-    line.model = model;
-    line.region = region;
-    line.vertices = correspondence.line.vertices;
-    line.closed = correspondence.line.closed;
-    line.last = static_cast<int>(line.vertices.size()) - 1;
-    line.targets = correspondence.targets;
-    return line;
-}
-
 Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio)
 {
     Vec3 sum = Vec3::Zero();

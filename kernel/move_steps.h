@@ -14,9 +14,6 @@
 
 namespace tapeline {
 
-/// The line as it is, with nothing beyond its ends, for methods that keep the region in one piece.
-ExtendedLine unextended(const Model& model, const Region& region, const Correspondence& correspondence);
-
 /// A move under way: what the steps of `move_feature_line` hand on to each other. Each step calls one module.
 class MoveState {
 public:
@@ -57,7 +54,6 @@ private:
         Positions rest; ///< the rest shape of the next solve: original, or slid after the retraction
         Positions V;    ///< current positions
         std::optional<CarriedStrip> strip;
-        bool strip_settled = false; ///< its places are those of the result, to be held
     };
 
     struct Constraints {
@@ -103,12 +99,9 @@ private:
     bool keeps_to_cad() const;
     void lay_slid_on_cad(SideState& state, Positions& slid);
     void lay_solved_on_cad(SideState& state);
-    bool carries_strips() const;
     void find_strips();
     void lay_strip(int side, bool rests);
-    Result<void> settle_strip(SideState& side, const std::vector<Vec3>& targets, const DeformationOptions& options,
-                              const Progress& progress);
-    std::vector<int> without_strip(const SideState& state, std::vector<int> vertices) const;
+    Result<void> settle_strip(SideState& side, const std::vector<Vec3>& targets, const DeformationOptions& options);
     void warn_of_lines();
     /// How far the line moves into that side where it does so most, as a share of its largest displacement anywhere.
     double runs_into(int side) const;

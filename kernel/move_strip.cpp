@@ -7,16 +7,11 @@
 
 namespace tapeline {
 
-bool MoveState::carries_strips() const
-{
-    const bool asked = !options_.strip_width_mm || *options_.strip_width_mm > 0;
-    return asked && splits() && !method_.as_published && retracts_on_rails() &&
-           result_.extension_target == ExtensionTarget::tapered;
-}
-
 void MoveState::find_strips()
 {
-    if (!carries_strips()) {
+    const bool asked = !options_.strip_width_mm || *options_.strip_width_mm > 0;
+    if (!asked || !splits() || method_.as_published || !retracts_on_rails() ||
+        result_.extension_target != ExtensionTarget::tapered) {
         return;
     }
     const FeatureLine& line = result_.correspondence.line;
@@ -63,24 +58,16 @@ void MoveState::lay_strip(int side, bool rests)
 }
 
 Result<void> MoveState::settle_strip(SideState& side, const std::vector<Vec3>& targets,
-                                     const DeformationOptions& options, const Progress& progress)
+                                     const DeformationOptions& options)
 {
     // How far the strip turns about the line is the side's business: a plate tells, the method's own solver then holds it.
     const Constraints held = constraints(side, targets);
-    return bend_part(side, held, options, {}, progress).map([&](const DeformationResult& bent) {
+    return bend_part(side, held, options, {}, {}).map([&](const DeformationResult& bent) {
         for (size_t k = 0; k < side.strip->vertices.size(); ++k) {
             side.strip->places.row(static_cast<Eigen::Index>(k)) = bent.V.row(side.strip->vertices[k]);
         }
-        side.strip_settled = true;
+        side.strip->settled = true;
     });
-}
-
-std::vector<int> MoveState::without_strip(const SideState& state, std::vector<int> vertices) const
-{
-    if (state.strip) {
-        std::erase_if(vertices, [&](int v) { return std::ranges::binary_search(state.strip->vertices, v); });
-    }
-    return vertices;
 }
 
 } // namespace tapeline

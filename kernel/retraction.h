@@ -33,6 +33,15 @@ struct RetractionResult {
     Vec3 worst_at = Vec3::Zero(); ///< a rest place of a flipped triangle, or of the one with the smallest ratio [mm]
 };
 
+/// What the retractions of a move did together.
+struct RetractionReport {
+    bool applied = false;
+    RetractionMode mode = RetractionMode::harmonic;
+    double min_area_ratio = 1;
+    int flipped = 0;
+    int crossings = 0;
+};
+
 /// Slides the compressed side's vertices along its own surface so that its material makes room for the line
 /// (Sections 4.2, 4.3). `displacements` has one entry per entry of side.line: where that vertex should go, relative to
 /// its rest position [mm].

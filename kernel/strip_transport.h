@@ -3,6 +3,7 @@
 
 #include "kernel/split.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct CarriedStrip {
     std::vector<double> share; ///< the way from the one to the other, in [0, 1]
     std::vector<double> pivots; ///< per line entry the turn about the moved line that lets the outer edge rest [deg]
     std::vector<Vec3> lifts;    ///< per line entry what then still keeps the outer edge off the ground [mm]
+    bool settled = false;       ///< the places are those of the result, to be held
+
+    bool has(int vertex) const { return std::ranges::binary_search(vertices, vertex); }
 };
 
 /// Carries the strip beside a line from L0 to Lt (`targets`, one finite point per entry of side.line): with p_i → p'_i
