@@ -68,12 +68,17 @@ std::vector<Vec3> polyline_curvature(const Positions& V, const std::vector<int>&
     return result;
 }
 
+std::pair<size_t, size_t> line_neighbours(size_t i, size_t n, bool closed)
+{
+    return {i > 0 ? i - 1 : (closed ? n - 1 : 0), i + 1 < n ? i + 1 : (closed ? 0 : n - 1)};
+}
+
 std::vector<double> line_twist(const Positions& V, const Positions& normals, const std::vector<int>& line, bool closed)
 {
     const size_t n = line.size();
     std::vector<double> result(n, 0);
     for (size_t i = 0; i < n && n > 1; ++i) {
-        const size_t before = i > 0 ? i - 1 : (closed ? n - 1 : 0), after = i + 1 < n ? i + 1 : (closed ? 0 : n - 1);
+        const auto [before, after] = line_neighbours(i, n, closed);
         const Vec3 step = V.row(line[after]) - V.row(line[before]);
         const Vec3 turn = normals.row(line[after]) - normals.row(line[before]);
         const Vec3 normal = normals.row(line[i]);

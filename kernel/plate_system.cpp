@@ -98,8 +98,7 @@ Eigen::Matrix<double, 3, 2> tangent_basis(const Vec3& normal)
 /// Unit tangent of the polyline at its entry i.
 Vec3 tangent(const Positions& V, const std::vector<int>& line, bool closed, size_t i)
 {
-    const size_t n = line.size();
-    const size_t before = i > 0 ? i - 1 : (closed ? n - 1 : 0), after = i + 1 < n ? i + 1 : (closed ? 0 : n - 1);
+    const auto [before, after] = line_neighbours(i, line.size(), closed);
     return (V.row(line[after]) - V.row(line[before])).normalized();
 }
 

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Commands in FreeCAD's window away from the straight path: nothing to work on, Cancel, curves, pins, jobs."""
-import pathlib
-import tempfile
 import unittest
 from unittest import mock
 
@@ -11,6 +9,7 @@ import numpy as np
 import Part
 import window
 from common import PANEL, SLIDE
+from panel_case import PanelCase
 from PySide import QtGui
 
 from freecad.tapeline import api, arrays, engine, settings
@@ -29,22 +28,7 @@ def idle():
     window.wait_until(lambda: not Panel.open_panel.background.busy, 40, "the background's end")
 
 
-class Commands(unittest.TestCase):
-    def setUp(self):
-        Gui.activateWorkbench("TapelineWorkbench")
-        self.document = App.newDocument("Panel")
-        self.document.UndoMode = 1
-        self._folder = tempfile.TemporaryDirectory(prefix="tapeline_test_")
-        self.folder = pathlib.Path(self._folder.name)
-        window.settle(0.2)
-
-    def tearDown(self):
-        if Gui.Control.activeDialog() and Panel.open_panel:
-            Panel.open_panel.reject()
-        for name in list(App.listDocuments()):
-            App.closeDocument(name)
-        self._folder.cleanup()
-
+class Commands(PanelCase):
     def with_target(self, **keys):
         model = api.import_model(PANEL, self.document)
         target = api.target_line(model, **keys)

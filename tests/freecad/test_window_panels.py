@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the panels do while the engine is still at work, what clicks in the 3D view choose, and where errors show."""
-import os
 import subprocess
-import tempfile
 import unittest
 from unittest import mock
 
@@ -11,6 +9,7 @@ import FreeCADGui as Gui
 import numpy as np
 import window
 from common import HOOD, LINE, PANEL, SLIDE, zigzag_roof
+from panel_case import PanelCase
 from PySide import QtGui
 
 from freecad.tapeline import api, engine, session
@@ -38,21 +37,10 @@ def click_at(point):
     window.click(Projection(window.view(), window.viewport()).pixel(point))
 
 
-class Panels(unittest.TestCase):
+class Panels(PanelCase):
     def setUp(self):
-        Gui.activateWorkbench("TapelineWorkbench")
-        self.document = App.newDocument("Panels")
-        self.document.UndoMode = 1
+        super().setUp()
         session._held.clear()
-        self.folder = tempfile.TemporaryDirectory(prefix="tapeline_test_")
-        window.settle(0.2)
-
-    def tearDown(self):
-        if Gui.Control.activeDialog() and Panel.open_panel:
-            Panel.open_panel.reject()
-        for name in list(App.listDocuments()):
-            App.closeDocument(name)
-        self.folder.cleanup()
 
     def hood(self):
         model = api.import_model(HOOD, self.document)
@@ -123,7 +111,7 @@ class Panels(unittest.TestCase):
             self.assertEqual(panel.message.text(), "The region is refused.")
 
     def roof_with_target(self):
-        path = os.path.join(self.folder.name, "roof.obj")
+        path = str(self.folder / "roof.obj")
         engine.module().Model.from_arrays(*zigzag_roof()).write(path)
         model = api.import_model(path, self.document)
         lines = {round(float(np.asarray(line.points)[0, 0])): line for line in api.engine_model(model).feature_lines()}
@@ -230,7 +218,7 @@ class Panels(unittest.TestCase):
         self.assertFalse(Gui.Control.activeDialog())
 
     def test_freecad_that_is_closed_in_mid_solve_ends_without_a_crash(self):
-        script = os.path.join(self.folder.name, "leave.py")
+        script = str(self.folder / "leave.py")
         with open(script, "w", encoding="utf-8") as file:
             file.write(LEAVE.format(path=str(HOOD), line=LINE))
         done = subprocess.run(["freecad", script], stdin=subprocess.DEVNULL, capture_output=True, text=True,

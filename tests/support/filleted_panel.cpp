@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace tapeline::testing {
 
@@ -75,15 +74,6 @@ ParametricCurve level_slide(double s, double lift)
     return ParametricCurve(
         [=](double x) { return Vec3(x, s * std::pow(std::cos(w * x), 2), height(x)); },
         [=](double x) { return Vec3(1, -s * w * std::sin(2 * w * x), -lift * w * std::sin(2 * w * x)); }, -200, 200);
-}
-
-MoveResult move_line(const FilletedPanel& panel, const TargetCurve& target, const MoveOptions& options)
-{
-    auto moved = move_feature_line(panel.model, line_of(panel.model, panel.line), target, panel.region, options);
-    if (!moved) {
-        throw std::runtime_error(moved.error().message);
-    }
-    return std::move(*moved);
 }
 
 } // namespace tapeline::testing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/move.h"
+#include "tests/support/moves.h"
 #include "tests/support/shapes.h"
 
 #include <vector>
@@ -25,8 +25,5 @@ struct FilletedPanel {
 
 /// y = s cos²(πx/400) for |x| ≤ 200, `lift` mm above the line's own height.
 ParametricCurve level_slide(double s, double lift = 0);
-
-/// Throws with the error's sentence when the move fails.
-MoveResult move_line(const FilletedPanel& panel, const TargetCurve& target, const MoveOptions& options);
 
 } // namespace tapeline::testing

@@ -48,27 +48,34 @@ ExtendedLine already_extended(const Model& model, const Correspondence& correspo
     return extended;
 }
 
-MeasuredMove move_and_measure(const Model& model, const std::vector<int>& line, const TargetCurve& target,
-                              const MoveOptions& options)
+MoveResult move_or_throw(const Model& model, const std::vector<int>& line, const Region& region,
+                         const TargetCurve& target, const MoveOptions& options)
 {
-    auto moved = move_feature_line(model, line_of(model, line), target, whole_model(model), options);
+    auto moved = move_feature_line(model, line_of(model, line), target, region, options);
     if (!moved) {
         throw std::runtime_error(moved.error().message);
     }
-    const bool left = moved->placement.compressed == LineSide::left;
-    QualityInput input{moved->rest.mesh,
-                       moved->V,
-                       moved->correspondence.line.vertices,
-                       moved->correspondence.line.closed,
-                       left ? moved->left_faces : moved->right_faces,
-                       left ? moved->right_faces : moved->left_faces,
+    return std::move(*moved);
+}
+
+MeasuredMove move_and_measure(const Model& model, const std::vector<int>& line, const TargetCurve& target,
+                              const MoveOptions& options)
+{
+    MoveResult moved = move_or_throw(model, line, whole_model(model), target, options);
+    const bool left = moved.placement.compressed == LineSide::left;
+    QualityInput input{moved.rest.mesh,
+                       moved.V,
+                       moved.correspondence.line.vertices,
+                       moved.correspondence.line.closed,
+                       left ? moved.left_faces : moved.right_faces,
+                       left ? moved.right_faces : moved.left_faces,
                        &target,
                        9};
     auto quality = measure_quality(input);
     if (!quality) {
         throw std::runtime_error(quality.error().message);
     }
-    return {std::move(*moved), *quality};
+    return {std::move(moved), *quality};
 }
 
 RigidMotion some_rigid_motion()

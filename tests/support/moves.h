@@ -24,6 +24,17 @@ Correspondence sends(const Model& model, const FeatureLine& line, const std::vec
 /// An extended line that needs no extension: the listed vertices already run from rim to rim.
 ExtendedLine already_extended(const Model& model, const Correspondence& correspondence);
 
+/// The move of `line` in `region`. Throws with the error's sentence when it fails.
+MoveResult move_or_throw(const Model& model, const std::vector<int>& line, const Region& region,
+                         const TargetCurve& target, const MoveOptions& options);
+
+/// The same for a panel that has these three.
+template <class Panel>
+MoveResult move_line(const Panel& panel, const TargetCurve& target, const MoveOptions& options)
+{
+    return move_or_throw(panel.model, panel.line, panel.region, target, options);
+}
+
 /// A move of the whole model's line, and its measures.
 struct MeasuredMove {
     MoveResult move;

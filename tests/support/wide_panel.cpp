@@ -4,7 +4,6 @@
 #include "tests/support/moves.h"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace tapeline::testing {
 
@@ -25,15 +24,6 @@ WidePanel::WidePanel(Diagonals diagonals, int nx, int ny)
             line.push_back(ny / 2 * (nx + 1) + i);
         }
     }
-}
-
-MoveResult move_line(const WidePanel& panel, const TargetCurve& target, const MoveOptions& options)
-{
-    auto moved = move_feature_line(panel.model, line_of(panel.model, panel.line), target, panel.region, options);
-    if (!moved) {
-        throw std::runtime_error(moved.error().message);
-    }
-    return std::move(*moved);
 }
 
 } // namespace tapeline::testing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/move.h"
+#include "tests/support/moves.h"
 #include "tests/support/shapes.h"
 
 #include <vector>
@@ -17,8 +17,5 @@ struct WidePanel {
 
     explicit WidePanel(Diagonals diagonals, int nx = 76, int ny = 54);
 };
-
-/// Throws with the error's sentence when the move fails.
-MoveResult move_line(const WidePanel& panel, const TargetCurve& target, const MoveOptions& options);
 
 } // namespace tapeline::testing
