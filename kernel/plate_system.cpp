@@ -21,9 +21,9 @@ namespace {
 constexpr int refinements = 1;
 /// How far a moment-free line lets the section across it answer the curving and twisting of the line itself. 0 keeps the
 /// section's curvature at the line, 1 (the bare D : b) opposes it by all of the line's. Chosen with the default stiffness
-/// ratio of 3 so that no section of the crease panel and the hood gets an inflection at 100 mm, however fine the mesh,
-/// and the crown changes by less than a third of what ASAN takes: more of either makes inflections, less makes the crown
-/// rounder.
+/// ratio of 3 so that no section of the tests' crease panel, fine meshes included, and of the hood gets an inflection at
+/// 100 mm, and the crown changes by less than a third of what ASAN takes: more of either makes inflections, less makes the
+/// crown rounder.
 constexpr double poisson_ratio = 0.2;
 /// The twist is known from the pass before only; fibres stiffer than this get less of it, or the passes would not settle.
 constexpr double twist_stiffness = 20;
