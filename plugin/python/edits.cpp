@@ -27,7 +27,9 @@ struct PreviewObject {
 std::unique_ptr<EditorObject> make_editor(const ModelObject& model, const LineObject& line, py::object threads,
                                           const py::kwargs& keywords)
 {
-    Call(py::none(), py::none(), threads); // checks them
+    {
+        [[maybe_unused]] const Call checks_them(py::none(), py::none(), threads);
+    }
     BoundJob bound = bind_job(model, line, py::none(), keywords, {"target", "remesh", "region", "move", "gate"});
     return std::make_unique<EditorObject>(EditorObject{
         model.held, std::make_unique<Editor>(std::move(bound.job), std::move(bound.inputs)), std::move(threads)});

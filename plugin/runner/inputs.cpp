@@ -92,7 +92,7 @@ Result<HeldLine> held_part(const HeldModel& model, const HeldLine& line, const s
     return refine_before_choice(model.imported.model, line.line, remesh)
         .and_then([&](std::optional<RefinedLine> refined) {
             std::vector<FeatureLine> lines(static_cast<std::size_t>(line.line.id) + 1);
-            lines.back() = refined ? std::move(refined->line) : line.line;
+            lines.back() = refined ? refined->line : line.line;
             if (refined) {
                 part.refined = std::make_shared<const Model>(std::move(refined->model));
             }
