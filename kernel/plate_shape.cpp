@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/plate_shape.h"
 
+#include "kernel/line_tangents.h"
 #include "kernel/parallel.h"
 
 namespace tapeline {
@@ -66,11 +67,6 @@ std::vector<Vec3> polyline_curvature(const Positions& V, const std::vector<int>&
         }
     }
     return result;
-}
-
-std::pair<size_t, size_t> line_neighbours(size_t i, size_t n, bool closed)
-{
-    return {i > 0 ? i - 1 : (closed ? n - 1 : 0), i + 1 < n ? i + 1 : (closed ? 0 : n - 1)};
 }
 
 std::vector<double> line_twist(const Positions& V, const Positions& normals, const std::vector<int>& line, bool closed)

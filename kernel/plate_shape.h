@@ -5,7 +5,6 @@
 #include "kernel/orthotropic.h"
 
 #include <Eigen/Sparse>
-#include <utility>
 #include <vector>
 
 namespace tapeline {
@@ -31,9 +30,6 @@ Positions apply_stiffness(const Eigen::SparseMatrix<double>& K, const Positions&
 
 /// Curvature vector of the polyline through the listed vertices at each of them [1/mm], zero at the ends of an open one.
 std::vector<Vec3> polyline_curvature(const Positions& V, const std::vector<int>& line, bool closed);
-
-/// Entries before and after entry i of a line of n vertices; i itself beyond the ends of an open one.
-std::pair<size_t, size_t> line_neighbours(size_t i, size_t n, bool closed);
 
 /// Twist of a surface along a line on it, -n' · (n × t) with n the surface's normal (row v of `normals` for vertex v) and
 /// t the line's direction: the entry of the second fundamental form along and across the line [1/mm], per entry of the

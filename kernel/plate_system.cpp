@@ -2,6 +2,7 @@
 #include "kernel/plate_system.h"
 
 #include "kernel/deformation.h"
+#include "kernel/line_tangents.h"
 #include "kernel/local_global.h"
 #include "kernel/parallel.h"
 #include "kernel/plate_domain.h"

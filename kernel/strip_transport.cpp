@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/strip_transport.h"
 
+#include "kernel/line_tangents.h"
 #include "kernel/parallel.h"
 #include "kernel/placement.h"
 #include "kernel/segment.h"
@@ -23,17 +24,6 @@ constexpr double largest_pivot = 30;
 constexpr int pivot_steps = 30;
 
 using Quaternions = std::vector<Eigen::Quaterniond>;
-
-std::vector<Vec3> tangents(const std::vector<Vec3>& points, bool closed)
-{
-    const size_t n = points.size();
-    std::vector<Vec3> result;
-    for (size_t i = 0; i < n; ++i) {
-        const size_t before = i > 0 ? i - 1 : (closed ? n - 1 : 0), after = i + 1 < n ? i + 1 : (closed ? 0 : n - 1);
-        result.push_back((points[after] - points[before]).normalized());
-    }
-    return result;
-}
 
 /// Signed angle about the axis from a to b, as seen along it [rad].
 double angle_about(const Vec3& axis, const Vec3& a, const Vec3& b)
@@ -66,8 +56,8 @@ public:
             from_.push_back(inner_.V.row(side.line[i]));
             farthest_ = std::max(farthest_, (to_[i] - from_[i]).norm());
         }
-        along_ = tangents(from_, transport.closed);
-        along_after_ = tangents(to_, transport.closed);
+        along_ = line_tangents(from_, transport.closed);
+        along_after_ = line_tangents(to_, transport.closed);
     }
 
     void turn(const StripGround& ground, CarriedStrip& strip)
@@ -136,8 +126,7 @@ private:
     bool moves(size_t i) const { return to_[i] != from_[i]; }
     bool stays(size_t i) const
     {
-        const size_t n = from_.size(), before = i > 0 ? i - 1 : (transport_.closed ? n - 1 : 0);
-        const size_t after = i + 1 < n || transport_.closed ? next(i) : i;
+        const auto [before, after] = line_neighbours(i, from_.size(), transport_.closed);
         return !moves(i) && !moves(before) && !moves(after);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/baselines/linear_frames.h"
 #include "kernel/closest_point.h"
+#include "kernel/line_tangents.h"
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -8,19 +9,6 @@
 namespace tapeline {
 
 namespace {
-
-/// Unit tangents of a polyline by central differences; one-sided at open ends.
-std::vector<Vec3> tangents(const std::vector<Vec3>& points, bool closed)
-{
-    const size_t n = points.size();
-    std::vector<Vec3> result(n);
-    for (size_t i = 0; i < n; ++i) {
-        const size_t before = i > 0 ? i - 1 : closed ? n - 1 : 0;
-        const size_t after = i + 1 < n ? i + 1 : closed ? 0 : i;
-        result[i] = (points[after] - points[before]).normalized();
-    }
-    return result;
-}
 
 /// Columns: tangent, the normal's part across it, their cross product. None where the normal runs along the tangent.
 std::optional<Eigen::Matrix3d> darboux_frame(const Vec3& tangent, const Vec3& normal)
@@ -45,7 +33,7 @@ std::vector<Eigen::Matrix3d> darboux_turns(const Mesh& rest, const std::vector<i
     for (const int v : line) {
         places.push_back(rest.V.row(v));
     }
-    const std::vector<Vec3> from = tangents(places, closed), to = tangents(targets, closed);
+    const std::vector<Vec3> from = line_tangents(places, closed), to = line_tangents(targets, closed);
     const Positions normals = vertex_normals(rest);
     const std::optional<ClosestPoint> surface = on_surface ? std::optional<ClosestPoint>(rest) : std::nullopt;
     std::vector<Eigen::Matrix3d> turns;
