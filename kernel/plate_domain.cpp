@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/plate_domain.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tapeline {
 
 namespace {
@@ -27,6 +30,19 @@ Positions stretched_domain(const Mesh& rest, const Positions& start, const std::
         open = triangle_area(stretched, t) > least_area * triangle_area(rest, t);
     }
     return open ? stretched.V : start;
+}
+
+double plate_width(const Mesh& mesh, const std::vector<int>& line, bool closed)
+{
+    double area = 0, length = 0;
+    for (int t = 0; t < mesh.F.rows(); ++t) {
+        area += triangle_area(mesh, t);
+    }
+    const size_t n = line.size();
+    for (size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+        length += (mesh.V.row(line[(i + 1) % n]) - mesh.V.row(line[i])).norm();
+    }
+    return area / std::max(length, std::sqrt(area));
 }
 
 } // namespace tapeline

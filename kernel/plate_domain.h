@@ -14,4 +14,8 @@ namespace tapeline {
 Positions stretched_domain(const Mesh& rest, const Positions& start, const std::vector<int>& vertices,
                            const Positions& places, const Material& material);
 
+/// The plate's way from its line (vertex chain; may be empty) to where it is held [mm]: its area over the line's length,
+/// but not more than the root of its area.
+double plate_width(const Mesh& mesh, const std::vector<int>& line, bool closed);
+
 } // namespace tapeline

@@ -5,6 +5,7 @@
 #include "kernel/line_tangents.h"
 #include "kernel/local_global.h"
 #include "kernel/parallel.h"
+#include "kernel/placement.h"
 #include "kernel/plate_domain.h"
 #include "kernel/topology.h"
 
@@ -28,6 +29,10 @@ constexpr int refinements = 1;
 constexpr double poisson_ratio = 0.2;
 /// The twist is known from the pass before only; fibres stiffer than this get less of it, or the passes would not settle.
 constexpr double twist_stiffness = 20;
+/// What a pass does to the stretch around a vertex, and with it to the curvature carried there, answers what moved it by
+/// about (curvature x width)² / 5: the curvature follows the stretch where that product is below the first of these, from
+/// the second on it is that of the domain. Beyond 2.2 the passes run away.
+constexpr double gently_curved = 1, strongly_curved = 2;
 
 std::string place(const Mesh& mesh, int v)
 {
@@ -241,6 +246,8 @@ void PlateSystem::find_targets(const PlateShape& rest)
     curvature_.resize(n);
     tangents_.resize(n);
     unstretched_.resize(n);
+    stretch_share_.resize(n);
+    const double width = plate_width(rest_, support_.line, support_.closed);
     const bool same = domain_.V == rest_.V;
     parallel_for(n, [&](int v) {
         Eigen::Matrix3d R = support_turn_;
@@ -249,6 +256,7 @@ void PlateSystem::find_targets(const PlateShape& rest)
         }
         const Vec3 normal = rest.normals.row(v), carried = R * normal, own = shape_.laplacian.row(v);
         curvature_[v] = R * rest.curvature[v] * R.transpose();
+        stretch_share_[v] = 1 - smooth_step(curvature_[v].norm() * width, gently_curved, strongly_curved);
         normals_.row(v) = carried;
         const double at_rest = normal.dot(rest.laplacian.row(v)) / rest.cells[v] + rest.bend(v);
         const double wanted = at_rest - shape_.metric[v].cwiseProduct(curvature_[v]).sum();
@@ -329,7 +337,7 @@ void PlateSystem::fit(const Positions& V)
         const Eigen::Matrix3d U = E * (0.5 * (unturned + unturned.transpose())) * E.transpose();
         const Eigen::Matrix3d flat = E * E.transpose();
         const double more = shape_.metric[v].cwiseProduct(U * curvature_[v] * U - flat * curvature_[v] * flat).sum();
-        const Vec3 target = targets_.row(v) - shape_.cells[v] * more * normals_.row(v);
+        const Vec3 target = targets_.row(v) - stretch_share_[v] * shape_.cells[v] * more * normals_.row(v);
         wanted_.row(v) = (R * target).transpose();
     });
     const Positions normals = vertex_normals(Mesh{V, rest_.F});

@@ -90,6 +90,7 @@ private:
     std::vector<Eigen::Matrix3d> curvature_;            ///< b, carried to the domain
     std::vector<Eigen::Matrix<double, 3, 2>> tangents_; ///< orthonormal, of the domain
     std::vector<Eigen::Matrix2d> unstretched_; ///< inverse of what is fitted to the domain itself, in those tangents
+    std::vector<double> stretch_share_;        ///< of the stretch beyond the domain's that the curvature follows
     /// Per entry of the line what its curvature vector · n and the surface's twist along it are at rest, less b.
     std::vector<double> line_bend_, line_twist_;
     double twist_share_ = 1; ///< of the twist that is given to a line vertex's row

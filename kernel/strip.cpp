@@ -27,6 +27,8 @@ constexpr double margin = 0.25;
 /// Of the way that a bend takes to nine tenths of its angle, the first tenth of the angle may take this share; an even
 /// bend takes a ninth.
 constexpr double early = 0.1, late = 0.9, latest_start = 0.3;
+/// A strip ends at an edge that turns the surface by more than this [deg].
+constexpr double sharp = 40;
 /// Largest part of the straight fit's squares that the fit with a bend may leave.
 constexpr double unexplained = 0.2;
 
@@ -64,6 +66,35 @@ std::vector<Station> stations(const Mesh& side, const Topology& topology, const 
     }
     all.resize(few);
     return all;
+}
+
+/// What of the side is reached from the line without crossing an edge so sharp that no fillet is tessellated with it.
+Mesh smooth_part(const Mesh& side, const Topology& topology, const std::vector<int>& line)
+{
+    std::vector<char> on_line(side.V.rows(), 0), reached(side.F.rows(), 0);
+    for (const int v : line) {
+        on_line[v] = 1;
+    }
+    std::vector<int> front;
+    for (const MeshEdge& edge : topology.edges()) {
+        if (edge.border() && on_line[edge.a] && on_line[edge.b]) {
+            front.push_back(std::max(edge.left, edge.right));
+            reached[front.back()] = 1;
+        }
+    }
+    for (size_t i = 0; i < front.size(); ++i) {
+        for (const int e : topology.face_edges(front[i])) {
+            const int next = topology.face_across(front[i], e);
+            const double smooth = std::cos(sharp * degree);
+            if (next >= 0 && !reached[next] &&
+                triangle_normal(side, front[i]).dot(triangle_normal(side, next)) > smooth) {
+                reached[next] = 1;
+                front.push_back(next);
+            }
+        }
+    }
+    std::ranges::sort(front);
+    return {side.V, side.F(front, Eigen::all)};
 }
 
 double median(std::vector<double> values)
@@ -168,8 +199,9 @@ double share_bent(const std::vector<double>& d, const std::vector<std::vector<do
 
 } // namespace
 
-Strip find_strip(const Mesh& side, const std::vector<int>& line, bool closed, const StripOptions& options)
+Strip find_strip(const Mesh& beside, const std::vector<int>& line, bool closed, const StripOptions& options)
 {
+    const Mesh side = smooth_part(beside, Topology(beside.F, static_cast<int>(beside.V.rows())), line);
     const Topology topology(side.F, static_cast<int>(side.V.rows()));
     const std::vector<Station> all = stations(side, topology, line, closed);
     double length = 0;

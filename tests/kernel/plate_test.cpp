@@ -147,6 +147,41 @@ TEST(Plate, EndsWithinItsOwnErrorEstimate)
     }
 }
 
+TEST(Plate, SettlesOnASideThatIsTightlyCurvedForItsWidth)
+{
+    // Three quarters of a tube of radius 60 mm; its end, the line, is drawn out along the tangent by up to 100 mm.
+    constexpr double radius = 60, width = 1.5 * M_PI * radius;
+    constexpr int nx = 40, ny = 24;
+    Mesh tube = grid(nx, ny, -200, 200, 0, width, [](double, double) { return 0.0; });
+    for (auto row : tube.V.rowwise()) {
+        const double angle = row.y() / radius;
+        row = Eigen::RowVector3d(row.x(), radius * std::sin(angle), radius * (std::cos(angle) - 1));
+    }
+    PlateSupport support;
+    std::vector<Vec3> targets;
+    for (int v = 0; v < tube.V.rows(); ++v) {
+        const int i = v % (nx + 1), j = v / (nx + 1);
+        if (j == 0 || j >= ny - 1 || std::min(i, nx - i) <= 1) {
+            support.constrained.push_back(v);
+            const double bell =
+                j > 0 || std::min(i, nx - i) <= 1 ? 0 : std::pow(std::cos(tube.V(v, 0) * M_PI / 400), 2);
+            targets.push_back(Vec3(tube.V.row(v)) - 100 * bell * Vec3::UnitY());
+        }
+        if (j == 0) {
+            support.line.push_back(v);
+        }
+    }
+    support.free_slope = support.line;
+    support.targets.resize(static_cast<Eigen::Index>(targets.size()), 3);
+    for (size_t k = 0; k < targets.size(); ++k) {
+        support.targets.row(static_cast<Eigen::Index>(k)) = targets[k];
+    }
+    const auto bent = bend_plate(tube, support, with(3, Vec3::UnitY(), 0.01));
+    ASSERT_TRUE(bent) << bent.error().message;
+    EXPECT_TRUE(bent->converged);
+    EXPECT_LT(bent->iterations, 40);
+}
+
 TEST(Plate, HasOneAnswerWhereverItStarts)
 {
     const Mesh mesh = crease_panel(30, 20, Diagonals::random);

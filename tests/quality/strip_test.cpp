@@ -111,6 +111,17 @@ TEST(Strip, IsNotSeenInAnEvenlyCurvedSideOrInATightPlaceFartherAway)
     EXPECT_FALSE(strip_of([&](double y) { return y < 20 ? -0.5 * y : -10 + bend(y - 20); }).found());
 }
 
+TEST(Strip, EndsAtSharpEdges)
+{
+    // A lip: a flat rim of 4 mm, a slope of 45° over 8 mm, and from there steeply down.
+    Mesh lip = grid(40, 60, -200, 200, -120, 120, [](double, double) { return 0.0; });
+    for (auto row : lip.V.rowwise()) {
+        const double slope = std::clamp(row.y() - 4, 0.0, 8.0), wall = std::max(0.0, row.y() - 12);
+        row = Eigen::RowVector3d(row.x(), row.y() - 0.9 * wall, -slope - wall);
+    }
+    EXPECT_FALSE(find_strip(meshes_beside(lip, grid_row(40, 30), false).first, grid_row(40, 30), false).found());
+}
+
 TEST_P(StripMove, KeepsTheSectionOfABendThatTheLineRunsInto)
 {
     const FilletedPanel panel;
