@@ -4,8 +4,25 @@
 #include "kernel/move_steps.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace tapeline {
+
+namespace {
+
+/// A strip is carried where the region goes on beyond it for as far again; true where it ends before on most of the line.
+bool ends_before(const Mesh& region_side, const Mesh& side, const FeatureLine& line, double distance_mm)
+{
+    const std::vector<Vec3> within = points_across(region_side, line.vertices, line.closed, distance_mm);
+    const std::vector<Vec3> whole = points_across(side, line.vertices, line.closed, distance_mm);
+    size_t cut = 0;
+    for (size_t i = 0; i < whole.size(); ++i) {
+        cut += (within[i] - whole[i]).norm() > 1e-6 * distance_mm;
+    }
+    return 2 * cut > whole.size();
+}
+
+} // namespace
 
 void MoveState::find_strips()
 {
@@ -16,11 +33,21 @@ void MoveState::find_strips()
     }
     const FeatureLine& line = result_.correspondence.line;
     const auto [left, right] = meshes_beside(model_.mesh, line.vertices, line.closed);
+    const Mesh region{model_.mesh.V, model_.mesh.F(result_.region.faces, Eigen::all)};
+    const auto [region_left, region_right] = meshes_beside(region, line.vertices, line.closed);
     for (const int side : {0, 1}) {
         Strip& strip = result_.strips[side].bend;
         strip = find_strip(side == 0 ? left : right, line.vertices, line.closed);
         if (options_.strip_width_mm) {
             strip.carried_mm = *options_.strip_width_mm;
+        }
+        if (strip.found() &&
+            ends_before(side == 0 ? region_left : region_right, side == 0 ? left : right, line, 2 * strip.carried_mm)) {
+            result_.warnings.push_back(fmt::format(
+                "a bend beside the line is not carried along: it takes {:.4g} mm and the region ends within "
+                "twice that on this side; widen it (--roi-distance), or say --strip none",
+                strip.carried_mm));
+            strip = {};
         }
     }
 }

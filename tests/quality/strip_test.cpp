@@ -152,6 +152,29 @@ TEST_P(StripMove, KeepsTheSectionOfABendThatTheLineRunsInto)
     EXPECT_LT(with_strip.crease_max_difference, 1.5);
 }
 
+TEST_P(StripMove, LeavesABendWhereTheRegionHasNoRoomForItAndSaysSo)
+{
+    FilletedPanel panel(24);
+    const ParametricCurve target = level_slide(-8, -8 * std::tan(4 * std::acos(-1) / 180));
+    EXPECT_TRUE(move_line(panel, target, with(GetParam())).strips[0].bend.found());
+    std::vector<int> faces;
+    for (int t = 0; t < panel.model.mesh.F.rows(); ++t) {
+        const double y =
+            (panel.model.mesh.V(panel.model.mesh.F(t, 0), 1) + panel.model.mesh.V(panel.model.mesh.F(t, 1), 1) +
+             panel.model.mesh.V(panel.model.mesh.F(t, 2), 1)) /
+            3;
+        if (y < 50) {
+            faces.push_back(t);
+        }
+    }
+    panel.region = region_of_faces(panel.model, faces, false, {});
+    const MoveResult move = move_line(panel, target, with(GetParam()));
+    EXPECT_FALSE(move.strips[0].bend.found());
+    EXPECT_TRUE(std::ranges::any_of(
+        move.warnings, [](const std::string& w) { return w.find("a bend beside the line") != std::string::npos; }));
+    EXPECT_EQ(measured(move, target).flipped, 0);
+}
+
 TEST_P(StripMove, LeavesTheCompressedSideOnTheOldSurfaceFromTheOuterEdgeOn)
 {
     const FilletedPanel panel;
