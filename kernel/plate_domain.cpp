@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/plate_domain.h"
 
+#include "kernel/deformation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,30 @@ namespace {
 constexpr double least_area = 1e-3;
 
 } // namespace
+
+FittedMotion fitted_motion(const Positions& V, const std::vector<int>& vertices, const Positions& targets,
+                           const std::vector<int>& entries)
+{
+    FittedMotion motion;
+    Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+    for (const int i : entries) {
+        from += V.row(vertices[i]);
+        to += targets.row(i);
+        motion.still = motion.still && targets.row(i) == V.row(vertices[i]);
+    }
+    if (motion.still) {
+        return motion;
+    }
+    from /= static_cast<double>(entries.size());
+    to /= static_cast<double>(entries.size());
+    Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+    for (const int i : entries) {
+        S += (targets.row(i).transpose() - to) * (V.row(vertices[i]) - from.transpose());
+    }
+    motion.R = polar_rotation(S);
+    motion.shift = to - motion.R * from;
+    return motion;
+}
 
 Positions stretched_domain(const Mesh& rest, const Positions& start, const std::vector<int>& vertices,
                            const Positions& places, const Material& material)

@@ -21,18 +21,26 @@ namespace {
 
 /// Further solves for what rounding left of the residual: the matrix is K M^-1 K, badly conditioned on fine meshes.
 constexpr int refinements = 1;
-/// How far a moment-free line lets the section across it answer the curving and twisting of the line itself. 0 keeps the
-/// section's curvature at the line, 1 (the bare D : b) opposes it by all of the line's. Chosen with the default stiffness
-/// ratio of 3 so that no section of the tests' crease panel, fine meshes included, and of the hood gets an inflection at
-/// 100 mm, and the crown changes by less than a third of what ASAN takes: more of either makes inflections, less makes the
-/// crown rounder.
-constexpr double poisson_ratio = 0.2;
+/// How far a moment-free line lets the section across it answer the curving and twisting of the line itself: 0 keeps the
+/// section's curvature at the line, 1 (the bare D : b) opposes it by all of the line's.
+constexpr double poisson_ratio = 0.5;
+/// The answer is no larger than this share of the section's curvature at rest, or it would turn the section over: an
+/// inflection beside the line. Chosen, with the default stiffness ratio of 3, on the tests' crease panel and the gallery's
+/// panel at 100 mm and edges of 5 to 20 mm: more makes inflections, less makes the crown rounder.
+constexpr double most_answer = 1;
 /// The twist is known from the pass before only; fibres stiffer than this get less of it, or the passes would not settle.
 constexpr double twist_stiffness = 20;
 /// What a pass does to the stretch around a vertex, and with it to the curvature carried there, answers what moved it by
 /// about (curvature x width)² / 5: the curvature follows the stretch where that product is below the first of these, from
 /// the second on it is that of the domain. Beyond 2.2 the passes run away.
 constexpr double gently_curved = 1, strongly_curved = 2;
+
+/// x, but never beyond ±limit; smooth, and x itself as long as it is much smaller.
+double limited(double x, double limit)
+{
+    const double size = std::sqrt(std::hypot(x * x, limit * limit));
+    return size > 0 ? x * limit / size : 0;
+}
 
 std::string place(const Mesh& mesh, int v)
 {
@@ -61,36 +69,6 @@ int loose_vertex(const Mesh& mesh, const std::vector<int>& constrained)
     }
     const auto loose = std::ranges::find(held, 0);
     return loose == held.end() ? -1 : static_cast<int>(loose - held.begin());
-}
-
-struct Rigid {
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    Vec3 shift = Vec3::Zero();
-    bool still = true;
-};
-
-/// The rigid motion that fits the listed entries of the support best; none, to the bit, where they stay.
-Rigid fitted_motion(const Mesh& rest, const PlateSupport& support, const std::vector<int>& entries)
-{
-    Rigid motion;
-    Vec3 from = Vec3::Zero(), to = Vec3::Zero();
-    for (const int i : entries) {
-        from += rest.V.row(support.constrained[i]);
-        to += support.targets.row(i);
-        motion.still = motion.still && support.targets.row(i) == rest.V.row(support.constrained[i]);
-    }
-    if (motion.still) {
-        return motion;
-    }
-    from /= static_cast<double>(entries.size());
-    to /= static_cast<double>(entries.size());
-    Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-    for (const int i : entries) {
-        S += (support.targets.row(i).transpose() - to) * (rest.V.row(support.constrained[i]) - from.transpose());
-    }
-    motion.R = polar_rotation(S);
-    motion.shift = to - motion.R * from;
-    return motion;
 }
 
 Eigen::Matrix<double, 3, 2> tangent_basis(const Vec3& normal)
@@ -200,7 +178,8 @@ void PlateSystem::predict(const Material& material)
             clamped.push_back(static_cast<int>(i));
         }
     }
-    const Rigid motion = fitted_motion(rest_, support_, clamped.empty() ? all : clamped);
+    const FittedMotion motion =
+        fitted_motion(rest_.V, support_.constrained, support_.targets, clamped.empty() ? all : clamped);
     support_turn_ = motion.R;
     domain_ = rest_;
     if (!motion.still) {
@@ -340,6 +319,11 @@ void PlateSystem::fit(const Positions& V)
         const Vec3 target = targets_.row(v) - stretch_share_[v] * shape_.cells[v] * more * normals_.row(v);
         wanted_.row(v) = (R * target).transpose();
     });
+    fit_line(V);
+}
+
+void PlateSystem::fit_line(const Positions& V)
+{
     const Positions normals = vertex_normals(Mesh{V, rest_.F});
     const std::vector<Vec3> bends = polyline_curvature(V, support_.line, support_.closed);
     const std::vector<double> twists = line_twist(V, normals, support_.line, support_.closed);
@@ -354,7 +338,10 @@ void PlateSystem::fit(const Positions& V)
         const double more_twist = twists[i] - t.dot(curvature_[v] * across) - line_twist_[i];
         const double known =
             t.dot(shape_.metric[v] * t) * more + 2 * twist_share_ * t.dot(shape_.metric[v] * across) * more_twist;
-        ends_.row(v) = -(1 - poisson_ratio) * known * normals.row(v);
+        const double stiffness = across.dot(shape_.metric[v] * across);
+        const double own = std::abs(across.dot(curvature_[v] * across));
+        const double answer = limited(-poisson_ratio * known / stiffness, most_answer * own);
+        ends_.row(v) = -(known + stiffness * answer) * normals.row(v);
     }
 }
 

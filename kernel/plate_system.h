@@ -44,7 +44,8 @@ struct PlateSupport {
 /// Rows of the other vertices are left out: the plate has no moment there. Along `line`, D : b would couple that with the
 /// line's own new curvature and, where D is oblique to the line, with the surface's twist along it (a Poisson ratio of
 /// 1). Both are known, the twist from the last pass; given to the row, they leave the section across the line its
-/// curvature (a Poisson ratio of 0).
+/// curvature (a Poisson ratio of 0). It answers them by half of that (a Poisson ratio of 0.5), but never by more than its
+/// own curvature at rest, and so keeps its sign.
 class PlateSystem {
 public:
     /// Rejected when a triangle has no area or a vertex hangs on no constraint; not converged when the matrix cannot be
@@ -73,6 +74,7 @@ private:
     void find_rows();
     void find_targets(const PlateShape& rest);
     Result<void> factorise();
+    void fit_line(const Positions& V);
     Eigen::Matrix3d moment(const Mesh& from, const std::vector<TriangleElement>& elements, const Positions& to,
                            int v) const;
     Positions residuals(const Positions& V) const;

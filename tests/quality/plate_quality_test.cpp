@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a stylist sees at once: a crease where the region ends, a tension side pulled straight, an inflection. The
 // crease-slide panel with surroundings, so that all four rims of the region are inside the model.
+#include "plugin/runner/job_file.h"
 #include "plugin/runner/measures.h"
+#include "plugin/runner/runner.h"
 #include "tests/support/moves.h"
 #include "tests/support/wide_panel.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
 
 using namespace tapeline;
 using namespace tapeline::testing;
+namespace fs = std::filesystem;
 
 namespace {
 
-MeasuredMove move_panel(const WidePanel& panel, const TargetCurve& target, const MoveOptions& options)
+/// Enough that none falls between two of them.
+constexpr int sections = 45;
+
+MeasuredMove move_panel(const WidePanel& panel, const TargetCurve& target, const MoveOptions& options,
+                        int stations = sections)
 {
     MoveResult moved = move_line(panel, target, options);
-    auto quality = measure_quality(quality_input(moved, target));
+    QualityInput input = quality_input(moved, target);
+    input.stations = stations;
+    auto quality = measure_quality(input);
     if (!quality) {
         throw std::runtime_error(quality.error().message);
     }
@@ -33,7 +43,7 @@ MeasuredMove slide_panel(const WidePanel& panel, double slide, Method method, Li
     if (method == Method::asan_fl) {
         options.rim = RimControl::position; // what its own energy does at the rim, which the plate is compared with
     }
-    return move_panel(panel, crease_slide_target(slide), options);
+    return move_panel(panel, crease_slide_target(slide), options, crease == LineCrease::keep ? 9 : sections);
 }
 
 struct Slide {
@@ -83,6 +93,26 @@ TEST(PlatePanelOfFineTriangles, HasNoInflectionThatCoarseOnesWouldHide)
         const auto [move, plate] = slide_panel(panel, slide, Method::plate_fl);
         EXPECT_EQ(plate.tension_sections.inflections_after, 0) << slide;
         EXPECT_EQ(plate.compressed_sections.inflections_after, 0) << slide;
+    }
+}
+
+TEST(PlatePanelOfCad, HasNoInflectionInAnySectionAndKeepsTheTangentAtTheRim)
+{
+    // Where the line's S begins, an answer to its curving that is larger than the section's own curvature turns it over.
+    for (const double edge : {12, 9}) {
+        auto job = read_job(fs::path(TAPELINE_SOURCE_DIR) / "resources/jobs/panel.json");
+        ASSERT_TRUE(job) << job.error().message;
+        job->remesh.max_edge = edge;
+        const auto done = solve_job(*job, {});
+        ASSERT_TRUE(done) << done.error().message;
+        QualityInput input = quality_input(done->move, done->preparation.target->line);
+        input.stations = sections;
+        const auto quality = measure_quality(input);
+        ASSERT_TRUE(quality) << quality.error().message;
+        EXPECT_EQ(quality->tension_sections.inflections_after, 0) << edge;
+        EXPECT_EQ(quality->compressed_sections.inflections_after, 0) << edge;
+        EXPECT_LE(quality->rim_crease_mean_change, 0.5);
+        EXPECT_LE(quality->rim_crease_max_change, 1.5);
     }
 }
 
