@@ -17,6 +17,7 @@ using Vec2 = Eigen::Vector2d;
 
 constexpr int max_unfolded = 16;
 constexpr double least_gain = 1e-6;
+constexpr double straight = 0.9; ///< least share of the straight way's length
 
 /// A triangle, real or seen through unfolded neighbours, through which vertex `to` can be reached: laid flat with
 /// `to` in the origin, its other corners a and b.
@@ -182,8 +183,12 @@ private:
             offer(s.to, db + s.at_b.norm(), source_[s.b]);
         }
         if (std::isfinite(da) && std::isfinite(db)) {
-            if (const auto [distance, share] = through_edge(s, da, db); share >= 0) {
-                offer(s.to, distance, (1 - share) * source_[s.a] + share * source_[s.b]);
+            const auto [distance, share] = through_edge(s, da, db);
+            const Vec3 source = (1 - share) * source_[s.a] + share * source_[s.b];
+            // Where an obtuse corner could not be unfolded, ends that see each other round the corner would grow ever
+            // shorter: no way is shorter than the straight one, but for what the source between two seeds is off.
+            if (share >= 0 && distance >= straight * (Vec3(mesh_.V.row(s.to)) - source).norm()) {
+                offer(s.to, distance, source);
             }
         }
     }

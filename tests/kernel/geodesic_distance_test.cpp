@@ -56,6 +56,17 @@ TEST(GeodesicDistance, OfASegmentOnAPlaneIsExactBesideItAndRoundItsEnds)
     }
 }
 
+TEST(GeodesicDistance, IsNotNegativeInTheObtuseCornerOfABorder)
+{
+    // A cap whose long edge is a border: nothing can be unfolded there, and its ends have sources of their own.
+    Mesh cap{Positions(3, 3), Triangles(1, 3)};
+    cap.V << 0, 0, 0, 28, 0, 0, -49.6, 1.3, 0;
+    cap.F << 0, 1, 2;
+    const Vec3 beside = cap.V.row(1) + 6.36 * (cap.V.row(2) - cap.V.row(1)).normalized();
+    const auto distance = geodesic_distance(cap, Topology(cap.F, 3), {{1, 6.36, beside}, {2, 0, cap.V.row(2)}});
+    EXPECT_GE(distance[0], 0.9 * beside.norm());
+}
+
 TEST(GeodesicDistance, OnAConeIsThatOfTheUnrolledCone)
 {
     const double half_angle = 0.5;
