@@ -85,7 +85,7 @@ Eigen::Matrix3d frame(const Vec3& along, const Vec3& normal)
 std::vector<RingEdge> ring_edges(const SideMesh& side, const Positions& carried, bool closed,
                                  const std::vector<Vec3>& line, const std::vector<Vec3>& normals, bool left)
 {
-    const Mesh inner{carried, side.mesh.F.topRows(side.inner_faces)};
+    const Mesh inner = side.own_mesh(carried);
     const Topology topology(inner.F, static_cast<int>(inner.V.rows()));
     std::vector<RingEdge> edges;
     const size_t n = side.line.size();

@@ -82,7 +82,7 @@ Result<void> Drag::add_part(SideMesh side)
     if (!rails) {
         return tl::unexpected(rails.error());
     }
-    const std::vector<int> inner(side.global_faces.begin(), side.global_faces.begin() + side.inner_faces);
+    const std::vector<int> inner(side.own_faces().begin(), side.own_faces().end());
     ClosestPoint ground(start_.extended.model.mesh, inner);
     faces_[parts_.size()] = inner;
     parts_.push_back({std::move(side), std::move(support.constrained), std::move(*plate), std::move(*slide),
@@ -93,7 +93,7 @@ Result<void> Drag::add_part(SideMesh side)
 Result<std::shared_ptr<const Drag::Rails>> Drag::rails_of(const SideMesh& side, const std::vector<int>& held) const
 {
     auto rails = std::make_shared<Rails>();
-    rails->inner = {side.mesh.V, side.mesh.F.topRows(side.inner_faces)};
+    rails->inner = side.own_mesh();
     std::vector<char> given(side.mesh.V.rows(), 0);
     for (const int v : held) {
         given[v] = 1;

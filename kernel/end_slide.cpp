@@ -175,7 +175,7 @@ Result<EndSlide> slide_ends(ExtendedLine& extended, const Model& rest, const std
             slide[after ? 1 : 0] = d;
         }
     }
-    return set_targets(extended, rest, faces, correspondence, options).map([&] { return slide; });
+    return set_targets(extended, prolongation, correspondence).map([&] { return slide; });
 }
 
 } // namespace tapeline

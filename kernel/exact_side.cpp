@@ -12,17 +12,8 @@
 
 namespace tapeline {
 
-namespace {
-
-std::span<const int> inner_faces(const SideMesh& side)
-{
-    return {side.global_faces.data(), static_cast<size_t>(side.inner_faces)};
-}
-
-} // namespace
-
 ExactSide::ExactSide(const Model& model, const SideMesh& side, bool on_rails)
-    : model_(model), side_(side), ground_(model, inner_faces(side)), on_edge_(side.to_global.size(), 0),
+    : model_(model), side_(side), ground_(model, side.own_faces()), on_edge_(side.to_global.size(), 0),
       still_(side.to_global.size(), 0)
 {
     for (const std::vector<int>* list : {&side.fixed, &side.line}) {

@@ -26,7 +26,8 @@ public:
     /// lines slide along them; otherwise they count as lying on faces.
     ExactSide(const Model& model, const SideMesh& side, bool on_rails);
 
-    bool available() const { return ground_.available(); }
+    /// The faces alone.
+    const ExactGround& ground() const { return ground_; }
 
     /// The place on the exact surface for vertex v of the side (local) that lies at p.
     std::optional<Vec3> place(int v, const Vec3& p) const;

@@ -239,32 +239,51 @@ Result<std::vector<Vec3>> ExtensionTargets::beyond(const Correspondence& c, bool
     });
 }
 
-Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::vector<int>& faces,
-                         const Correspondence& c, const ExtensionOptions& options)
+namespace {
+
+void set_used_targets(ExtendedLine& extended, const Correspondence& c)
 {
-    const int size = static_cast<int>(extended.vertices.size()), used = static_cast<int>(c.line.vertices.size());
-    extended.targets.assign(size, free_target);
-    std::copy(c.targets.begin(), c.targets.end(), extended.targets.begin() + extended.first);
-    if (size > used && options.target == ExtensionTarget::tapered) {
-        const ExtensionTargets prolongation(extended, rest, faces, options);
-        for (const bool after : {false, true}) {
-            const auto targets = prolongation.beyond(c, after);
-            if (!targets) {
-                return tl::unexpected(targets.error());
-            }
-            const std::vector<int> entries = prolongation.entries(after);
-            for (size_t i = 1; i < targets->size(); ++i) {
-                extended.targets[entries[i]] = (*targets)[i];
-            }
-        }
-    }
-    const std::vector<int>& rim = extended.region.fixed_rim;
-    for (int k = 0; k < size; ++k) {
+    extended.targets.assign(extended.vertices.size(), free_target);
+    std::ranges::copy(c.targets, extended.targets.begin() + extended.first);
+}
+
+void hold_rim(ExtendedLine& extended)
+{
+    for (int k = 0; k < static_cast<int>(extended.vertices.size()); ++k) {
         const bool in_used = k >= extended.first && k <= extended.last;
-        if (!in_used && std::binary_search(rim.begin(), rim.end(), extended.vertices[k])) {
+        if (!in_used && std::ranges::binary_search(extended.region.fixed_rim, extended.vertices[k])) {
             extended.targets[k] = extended.model.mesh.V.row(extended.vertices[k]);
         }
     }
+}
+
+} // namespace
+
+Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::vector<int>& faces,
+                         const Correspondence& c, const ExtensionOptions& options)
+{
+    if (options.target == ExtensionTarget::tapered && extended.vertices.size() > c.line.vertices.size()) {
+        return set_targets(extended, ExtensionTargets(extended, rest, faces, options), c);
+    }
+    set_used_targets(extended, c);
+    hold_rim(extended);
+    return {};
+}
+
+Result<void> set_targets(ExtendedLine& extended, const ExtensionTargets& prolongation, const Correspondence& c)
+{
+    set_used_targets(extended, c);
+    for (const bool after : {false, true}) {
+        const auto targets = prolongation.beyond(c, after);
+        if (!targets) {
+            return tl::unexpected(targets.error());
+        }
+        const std::vector<int> entries = prolongation.entries(after);
+        for (size_t i = 1; i < targets->size(); ++i) {
+            extended.targets[entries[i]] = (*targets)[i];
+        }
+    }
+    hold_rim(extended);
     return {};
 }
 

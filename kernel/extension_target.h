@@ -49,5 +49,8 @@ private:
 /// the extension farther than there is room before the rim.
 Result<void> set_targets(ExtendedLine& extended, const Model& rest, const std::vector<int>& faces,
                          const Correspondence& correspondence, const ExtensionOptions& options);
+/// The same with the prolongation's tapered targets at hand.
+Result<void> set_targets(ExtendedLine& extended, const ExtensionTargets& prolongation,
+                         const Correspondence& correspondence);
 
 } // namespace tapeline

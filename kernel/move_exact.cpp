@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of a move that puts the side under compression on the exact CAD faces that its triangles stand for.
-#include "kernel/exact_side.h"
 #include "kernel/move_steps.h"
 
 #include <algorithm>
@@ -28,13 +27,21 @@ bool MoveState::keeps_to_cad() const
     return options_.exact_surface && splits() && !method_.as_published && model.surface && !model.cad_face.empty();
 }
 
+const ExactSide& MoveState::exact_side(SideState& state) const
+{
+    if (!state.exact) {
+        state.exact.emplace(extended_.model, state.side, retracts_on_rails());
+    }
+    return *state.exact;
+}
+
 void MoveState::lay_slid_on_cad(SideState& state, Positions& slid)
 {
     if (!keeps_to_cad()) {
         return;
     }
     SideMesh& side = state.side;
-    const ExactSide exact(extended_.model, side, retracts_on_rails());
+    const ExactSide& exact = exact_side(state);
     const std::vector<int> moved = without_strip(state.strip, exact.moved_vertices(slid));
     std::vector<int> all = moved;
     // The line lies on the surface unless it stands on a strip.
@@ -57,7 +64,7 @@ void MoveState::lay_solved_on_cad(SideState& state)
     if (!keeps_to_cad()) {
         return;
     }
-    const ExactSide exact(extended_.model, state.side, retracts_on_rails());
+    const ExactSide& exact = exact_side(state);
     const std::vector<int>& line = state.side.line;
     double gap = 0, length = 0;
     for (size_t i = 0; i < line.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/exact_side.h"
 #include "kernel/move.h"
 #include "kernel/plate.h"
 #include "kernel/split.h"
@@ -54,6 +55,7 @@ private:
         Positions rest; ///< the rest shape of the next solve: original, or slid after the retraction
         Positions V;    ///< current positions
         std::optional<CarriedStrip> strip;
+        std::optional<ExactSide> exact; ///< made when first asked for
     };
 
     struct Constraints {
@@ -97,6 +99,7 @@ private:
     void take_free_extension(const SideState& side);
     bool retracts_on_rails() const { return result_.retraction.mode == RetractionMode::harmonic; }
     bool keeps_to_cad() const;
+    const ExactSide& exact_side(SideState& state) const;
     void lay_slid_on_cad(SideState& state, Positions& slid);
     void lay_solved_on_cad(SideState& state);
     void find_strips();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of a move that takes narrow bends beside the line along with it.
-#include "kernel/exact_ground.h"
 #include "kernel/move_steps.h"
 
 #include <algorithm>
@@ -59,12 +58,10 @@ void MoveState::lay_strip(int side, bool rests)
         return;
     }
     SideState& state = sides_[side];
-    const auto inner = static_cast<size_t>(state.side.inner_faces);
-    const std::vector<int> faces(state.side.global_faces.begin(), state.side.global_faces.begin() + inner);
-    const ExactGround exact(extended_.model, faces);
-    const ClosestPoint triangles(Mesh{state.side.mesh.V, state.side.mesh.F.topRows(state.side.inner_faces)});
+    const ExactGround* exact = keeps_to_cad() ? &exact_side(state).ground() : nullptr;
+    const ClosestPoint triangles(state.side.own_mesh());
     const auto ground = [&](const Vec3& p) {
-        const auto place = keeps_to_cad() ? exact.closest(p) : std::optional<Vec3>();
+        const auto place = exact ? exact->closest(p) : std::optional<Vec3>();
         return place ? *place : triangles.closest(p).point;
     };
     state.strip = carry_strip(state.side, {report.bend.carried_mm, extended_.closed, rests}, extended_.targets, ground);

@@ -155,10 +155,7 @@ SideMesh make_side(const ExtendedLine& extended, const Topology& topology, const
 std::vector<VertexPair> edges_in_side(const SideMesh& side, const Topology& topology,
                                       const std::vector<VertexPair>& features)
 {
-    const auto in_side = [&](int t) {
-        const auto end = side.global_faces.begin() + side.inner_faces;
-        return t >= 0 && std::binary_search(side.global_faces.begin(), end, t);
-    };
+    const auto in_side = [&](int t) { return t >= 0 && std::ranges::binary_search(side.own_faces(), t); };
     const auto local = [&](int v) {
         return static_cast<int>(std::ranges::lower_bound(side.to_global, v) - side.to_global.begin());
     };

@@ -6,6 +6,7 @@
 #include "kernel/face_patch.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace tapeline {
@@ -28,6 +29,11 @@ struct SideMesh {
     std::vector<VertexPair> kept;     ///< those of them that nothing may be dragged over, however blunt, ascending
     std::vector<int> guided;          ///< local border vertices that make room for a line end sliding along the border
     std::vector<Vec3> guided_targets; ///< where each of them goes; see border_slide.h
+
+    /// The side itself, without the ring: its triangles of the extended model, and its mesh, at rest and at `V`.
+    std::span<const int> own_faces() const { return std::span(global_faces).first(inner_faces); }
+    Mesh own_mesh() const { return own_mesh(mesh.V); }
+    Mesh own_mesh(const Positions& V) const { return {V, mesh.F.topRows(inner_faces)}; }
 };
 
 /// Cuts the region along the extended line (Section 5.2) into its left [0] and right [1] part. Rejected when the cut
