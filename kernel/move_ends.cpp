@@ -47,7 +47,7 @@ std::vector<int> smooth_sector(const SideMesh& side, const Topology& topology, i
 /// are laid on the surface.
 std::vector<Eigen::Quaterniond> line_turns(const SideMesh& side, const Positions& V, bool left)
 {
-    const Mesh before{side.mesh.V, side.mesh.F.topRows(side.inner_faces)}, now{V, before.F};
+    const Mesh before = side.own_mesh(), now{V, before.F};
     const Topology topology(before.F, static_cast<int>(V.rows()));
     std::vector<Eigen::Quaterniond> turns(side.line.size(), Eigen::Quaterniond::Identity());
     for (size_t i = 0; i < side.line.size(); ++i) {
@@ -182,14 +182,17 @@ Result<void> MoveState::hold_ring(int side, PlateSupport& support, const PlateOp
     if (std::ranges::all_of(normals, [](const Vec3& normal) { return normal.isZero(0); })) {
         return {};
     }
-    // In their plane the ring's vertices go where the plate takes them that ends freely.
-    const Mesh stretched{sides_[side].rest, sides_[side].side.mesh.F};
-    const auto carried = bend_plate(stretched, support, options);
+    // In their plane the ring's vertices go where the side's domain has them, to which the plate pulls them there. Along
+    // the line itself a little more or less can make an inflection (the panel moved by 75 mm): there the plate is asked.
+    const Mesh rest{sides_[side].rest, sides_[side].side.mesh.F};
+    const bool along_line = keeps_crease() && side == tension();
+    const auto carried = along_line ? bend_plate(rest, support, options).map(&DeformationResult::V)
+                                    : PlateSystem::domain(rest, support, options.material);
     if (!carried) {
         return tl::unexpected(carried.error());
     }
     const CreaseRing ring =
-        crease_ring(sides_[side].side, carried->V, extended_.closed, extended_.targets, normals, side == 0);
+        crease_ring(sides_[side].side, *carried, extended_.closed, extended_.targets, normals, side == 0);
     const std::optional<CarriedStrip>& strip = sides_[side].strip;
     for (size_t i = 0; i < ring.vertices.size(); ++i) {
         // A strip that rests on the old surface, or is held, is at its place.

@@ -90,22 +90,32 @@ Vec3 tangent(const Positions& V, const std::vector<int>& line, bool closed, size
 
 Result<PlateSystem> PlateSystem::create(const Mesh& rest, const PlateSupport& support, const Material& material)
 {
-    PlateSystem system;
-    system.rest_ = rest;
+    PlateSystem system(rest, support);
     system.twist_share_ = std::min(1.0, twist_stiffness / material.stiffness_ratio);
-    system.support_ = support;
-    if (auto fine = system.check(); !fine) {
+    if (auto fine = system.lay_out(material); !fine) {
         return tl::unexpected(fine.error());
     }
-    system.find_free();
-    system.find_rows();
-    system.predict(material);
     const PlateShape shape = plate_shape(rest, material);
     Material turned = material;
     turned.stiff_direction = system.support_turn_ * material.stiff_direction;
     system.shape_ = plate_shape(system.domain_, turned);
     system.find_targets(shape);
     return system.factorise().map([&] { return std::move(system); });
+}
+
+Result<Positions> PlateSystem::domain(const Mesh& rest, const PlateSupport& support, const Material& material)
+{
+    PlateSystem system(rest, support);
+    return system.lay_out(material).map([&] { return std::move(system.domain_.V); });
+}
+
+Result<void> PlateSystem::lay_out(const Material& material)
+{
+    return check().map([&] {
+        find_free();
+        find_rows();
+        predict(material);
+    });
 }
 
 Result<void> PlateSystem::check() const

@@ -52,6 +52,9 @@ public:
     /// factorised.
     static Result<PlateSystem> create(const Mesh& rest, const PlateSupport& support, const Material& material);
 
+    /// The domain alone, without the factorisation: `start()` of the system.
+    static Result<Positions> domain(const Mesh& rest, const PlateSupport& support, const Material& material);
+
     int free_count() const { return static_cast<int>(free_.size()); }
 
     /// The start of the iteration: the domain, which meets the support. It is the rest shape to the bit where the
@@ -67,7 +70,8 @@ public:
     double energy(const Positions& V) const;
 
 private:
-    PlateSystem() = default;
+    PlateSystem(const Mesh& rest, const PlateSupport& support) : rest_(rest), support_(support) {}
+    Result<void> lay_out(const Material& material);
     Result<void> check() const;
     void find_free();
     void predict(const Material& material);
