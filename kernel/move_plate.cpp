@@ -29,7 +29,7 @@ double MoveState::plate_share() const
     }
     // Stiff fibres carry the pull of a side's stretched parts into its compressed ones, which lie at their place after
     // the retraction; a plate does not. The paper leaves such targets open (Section 7).
-    constexpr double none = 0.1, clear = 0.3;
+    constexpr double none = 0.1, clear = 0.8;
     const bool can = options_.method == Method::asan_fl && splits();
     return can ? smooth_step(std::min(runs_into(0), runs_into(1)), none, clear) : 0;
 }

@@ -76,7 +76,7 @@ Result<void> MoveState::retract_side(int side)
         options.active_radius_mm = options_.active_radius_mm;
         options.material = material_for(result_.correspondence.displacements);
         // The side under tension joins in gradually, as far as a zigzag target compresses it (method.md A5).
-        constexpr double whole = 0.1;
+        constexpr double whole = 0.2;
         options.share = side == compression() ? 1 : smooth_step(runs_into(side), 0, whole);
         lay_strip(side, true);
         options.strip = state.strip ? &*state.strip : nullptr;

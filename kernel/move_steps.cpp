@@ -43,7 +43,7 @@ Vec3 stiff_direction(const std::vector<Vec3>& displacements, double& ratio)
         return Vec3::UnitX();
     }
     // From one rule to the next gradually, so that no displacement makes the material change at once.
-    constexpr double no_mean = 0.3, clear_mean = 0.4, no_axis = 0.2, clear_axis = 1.0 / 3;
+    constexpr double no_mean = 0.2, clear_mean = 0.95, no_axis = 0.2, clear_axis = 1.0 / 3;
     const double coherence = smooth_step(sum.norm() / length, no_mean, clear_mean);
     if (coherence == 1) {
         return sum.normalized();
@@ -312,7 +312,7 @@ MoveResult MoveState::finish()
         result_.left_faces = extended_.region.faces;
     } else {
         const auto inner = [](const SideMesh& side) {
-            return std::vector<int>(side.global_faces.begin(), side.global_faces.begin() + side.inner_faces);
+            return std::vector<int>(side.own_faces().begin(), side.own_faces().end());
         };
         result_.left_faces = inner(sides_[0].side);
         result_.right_faces = inner(sides_[1].side);

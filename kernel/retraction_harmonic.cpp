@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/parallel.h"
+#include "kernel/placement.h"
 #include "kernel/retraction_steps.h"
 
 #include <algorithm>
@@ -10,6 +11,8 @@ namespace tapeline {
 namespace {
 
 constexpr int equalizing_rounds = 3;
+/// A round that costs the worst triangle more than this share of what was left of it is not taken.
+constexpr double may_lose = 0.02;
 constexpr int smoothing_passes = 30;
 /// Compression below this counts as this, so that one spoilt triangle does not stiffen without bound.
 constexpr double least_compression = 0.05;
@@ -192,6 +195,16 @@ struct Attempt {
         const size_t mine = folds.flipped.size(), theirs = other.folds.flipped.size();
         return mine < theirs || (mine == theirs && least() > other.least() * (1 + 1e-9));
     }
+    /// How much of this attempt to take after `last`: all where its worst triangle keeps as much, nothing where it loses
+    /// clearly more; in between gradually, for the next slide may differ by little.
+    double worth(const Attempt& last) const
+    {
+        const size_t mine = folds.flipped.size(), theirs = last.folds.flipped.size();
+        if (mine != theirs) {
+            return mine < theirs ? 1 : 0;
+        }
+        return smooth_step(least() / last.least(), 1 - may_lose, 1);
+    }
 };
 
 /// Extends, places, and equalises: the linear extension spreads displacement evenly but not compression, which is worst
@@ -200,23 +213,31 @@ struct Attempt {
 Attempt attempt(const RetractionTask& task, const Material& material, const Frames& frames)
 {
     const Mesh& inner = task.inner();
-    std::vector<TriangleElement> elements = triangle_elements(inner, material);
+    const std::vector<TriangleElement> own = triangle_elements(inner, material);
     const std::vector<int> vertices = free_vertices(task);
-    std::optional<Attempt> best;
-    for (int round = 0; round <= equalizing_rounds; ++round) {
-        Attempt next{extend(task, elements, frames), task.start(), {}, {}};
-        place_all(task, next.u, vertices, next.V);
-        next.folds = find_folds(inner, next.V);
-        next.left = compressions(inner, elements, next.V, next.folds);
+    const auto placed = [&](Eigen::MatrixXd u) {
+        Attempt attempt{std::move(u), task.start(), {}, {}};
+        place_all(task, attempt.u, vertices, attempt.V);
+        attempt.folds = find_folds(inner, attempt.V);
+        attempt.left = compressions(inner, own, attempt.V, attempt.folds);
+        return attempt;
+    };
+    std::vector<TriangleElement> elements = own;
+    Attempt last = placed(extend(task, elements, frames)), taken = last;
+    double share = 1;
+    for (int round = 0; round < equalizing_rounds; ++round) {
         for (size_t t = 0; t < elements.size(); ++t) {
-            elements[t].material /= next.left[t];
+            elements[t].material /= last.left[t];
         }
-        if (best && !next.better_than(*best)) {
+        Attempt next = placed(extend(task, elements, frames));
+        share *= next.worth(last);
+        if (share == 0) {
             break;
         }
-        best = std::move(next);
+        taken = share == 1 ? next : placed(taken.u + share * (next.u - taken.u));
+        last = std::move(next);
     }
-    return std::move(*best);
+    return taken;
 }
 
 /// Averages the displacement over neighbours, around folded triangles only, until they are open or nothing helps.

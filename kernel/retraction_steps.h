@@ -39,8 +39,10 @@ public:
     bool free(int v) const { return free_[v]; }
 
     /// Per line entry the part of its displacement that goes into the side [mm]: with m the mean unit conormal into the
-    /// side, u itself where u·m ≥ 0; elsewhere u without its conormal part, faded out smoothly over a tenth of the
-    /// largest displacement (method.md A5). Continuous in u.
+    /// side, u itself where u·m ≥ 0; elsewhere u without its conormal part, faded out smoothly over three tenths
+    /// of the largest displacement (method.md A5). The corner at 0 is rounded, once continuously differentiable in u, within a share of the
+    /// largest displacement: the least of 0.06, of how fast u·m changes along the line, and of how far out of the side the
+    /// line goes where it does so most.
     const std::vector<Vec3>& moves() const { return moves_; }
 
     /// Positions with line, guided vertices and free borders at their final places and all else at rest: line vertices

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/line_tangents.h"
 #include "kernel/retraction_steps.h"
 
 #include <Eigen/Geometry>
@@ -12,13 +13,13 @@ namespace tapeline {
 namespace {
 
 /// Share of the largest displacement over which a line that leaves the side stops dragging material along.
-constexpr double fade_width = 0.1;
+constexpr double fade_width = 0.3;
+/// The same for the corner where what goes into the side ends.
+constexpr double round_width = 0.06;
 
 /// A target lies beyond another feature line when the part of the side beside the line ends this share of the
 /// displacement before it.
 constexpr double crossing_share = 0.05;
-
-Mesh inner_mesh(const SideMesh& side) { return {side.mesh.V, side.mesh.F.topRows(side.inner_faces)}; }
 
 /// Unit vector in the plane of triangle t, orthogonal to its edge a-b, pointing into the triangle.
 Vec3 conormal(const Mesh& mesh, int t, int a, int b)
@@ -34,7 +35,7 @@ Vec3 conormal(const Mesh& mesh, int t, int a, int b)
 RetractionTask::RetractionTask(const SideMesh& side, const std::vector<Vec3>& displacements,
                                const std::vector<VertexPair>& features, bool on_rails, double share,
                                const CarriedStrip* strip)
-    : side_(side), inner_(inner_mesh(side)), topology_(inner_.F, static_cast<int>(inner_.V.rows())),
+    : side_(side), inner_(side.own_mesh()), topology_(inner_.F, static_cast<int>(inner_.V.rows())),
       walls_(on_rails ? features : std::vector<VertexPair>{}), ground_(inner_, walls_), entry_(inner_.V.rows(), -1),
       free_(inner_.V.rows(), 1), normals_(vertex_normals(inner_)), start_(inner_.V)
 {
@@ -98,21 +99,31 @@ void RetractionTask::find_moves(const std::vector<Vec3>& displacements, double s
         inwards[i] += m;
         inwards[j] += m;
     }
-    double largest = 0;
-    for (const Vec3& u : displacements) {
-        largest = std::max(largest, u.norm());
-    }
+    double largest = 0, outwards = 0;
+    std::vector<double> into(n);
     for (size_t i = 0; i < n; ++i) {
-        const Vec3 m = inwards[i].norm() > 0 ? Vec3(inwards[i].normalized()) : Vec3::Zero();
-        const double into = displacements[i].dot(m);
-        if (into >= 0) {
-            shares_.push_back(share);
+        inwards[i].stableNormalize();
+        into[i] = displacements[i].dot(inwards[i]);
+        largest = std::max(largest, displacements[i].norm());
+        outwards = std::max(outwards, -into[i]);
+    }
+    const auto slope_to = [&](size_t i, size_t j) {
+        const double step = (position(side_.line[j]) - position(side_.line[i])).norm();
+        return step > 0 ? std::abs(into[j] - into[i]) / step : 0;
+    };
+    for (size_t i = 0; i < n; ++i) {
+        // What stays, as the prolongation's far end, is to stay: no corner to round where the way in does not change.
+        const auto [before, after] = line_neighbours(i, n, closed_);
+        const double slope = std::min(slope_to(i, before), slope_to(i, after));
+        const double round = std::min({round_width, slope, outwards / std::max(largest, 1e-300)}) * largest;
+        const double s = largest > 0 ? std::clamp(1 + into[i] / (fade_width * largest), 0.0, 1.0) : 1;
+        shares_.push_back(share * s * s * (3 - 2 * s));
+        if (into[i] >= round) {
             moves_.push_back(share * displacements[i]);
             continue;
         }
-        const double s = std::max(0.0, 1 + into / (fade_width * largest));
-        shares_.push_back(share * s * s * (3 - 2 * s));
-        moves_.push_back(shares_.back() * (displacements[i] - into * m));
+        const double more = std::max(0.0, into[i] + round), kept = round > 0 ? more * more / (4 * round) : 0;
+        moves_.push_back(shares_.back() * (displacements[i] - into[i] * inwards[i]) + share * kept * inwards[i]);
     }
 }
 

@@ -147,10 +147,12 @@ TEST(Retraction, OfAZigzagSlidesOnlyWhereTheLineComesIn)
 {
     const SideMesh side = left_side(crease_panel(60, 40, Diagonals::random), crease_panel_line(60, 40));
     std::vector<Vec3> u;
+    double largest = 0;
     for (const int v : side.line) {
         const Vec3 p = side.mesh.V.row(v);
         const double y = 60 * std::sin(p.x() * std::numbers::pi / 200) * std::pow(std::cos(p.x() / 400 * 1.57), 2);
         u.push_back(Vec3(p.x(), y, crease_panel_height(p.x(), y)) - p);
+        largest = std::max(largest, u.back().norm());
     }
     for (const RetractionMode mode : modes) {
         RetractionOptions options;
@@ -162,8 +164,13 @@ TEST(Retraction, OfAZigzagSlidesOnlyWhereTheLineComesIn)
         EXPECT_GT(result->min_area_ratio, 0.5);
         for (size_t i = 0; i < u.size(); ++i) {
             const Vec3 moved = result->V.row(side.line[i]) - side.mesh.V.row(side.line[i]);
-            EXPECT_LT((moved - (u[i].y() > 0 ? u[i] : Vec3(Vec3::Zero()))).norm(), 0.1) << u[i].transpose();
+            // The corner between coming in and going out is rounded, so that a growing zigzag takes no vertex along all
+            // at once: by a quarter of its half width.
+            const double rounded = std::abs(u[i].y()) < 0.06 * largest ? 0.06 * largest / 4 : 0;
+            EXPECT_LT((moved - (u[i].y() > 0 ? u[i] : Vec3(Vec3::Zero()))).norm(), 0.1 + rounded) << u[i].transpose();
         }
+        EXPECT_LT((result->V.row(side.line.front()) - side.mesh.V.row(side.line.front())).norm(), 1e-9);
+        EXPECT_LT((result->V.row(side.line.back()) - side.mesh.V.row(side.line.back())).norm(), 1e-9);
     }
 }
 

@@ -19,7 +19,8 @@ namespace {
 constexpr double slide = 60; // [mm]
 constexpr int nx = 32, ny = 24;
 
-/// Largest second difference of a vertex's place over three steps of the target [mm]: twice a jump's size at most.
+/// Largest second difference of a vertex's place over three steps of the target [mm]: twice a jump's size at most. The
+/// line's own places are given by the target, whose kink where it crosses a crease is none of the method's.
 class Jumps {
 public:
     explicit Jumps(Method method) : model_(model_of(crease_panel(nx, ny)))
@@ -47,6 +48,9 @@ public:
         double worst = 0;
         for (int i = 0; from + i * step <= to + 1e-9; ++i) {
             places.push_back(move(target(from + i * step)).V.topRows(model_.mesh.V.rows()));
+            for (const int v : line_) {
+                places[i].row(v).setZero();
+            }
             if (i >= 2) {
                 worst = std::max(worst, (places[i] - 2 * places[i - 1] + places[i - 2]).rowwise().norm().maxCoeff());
             }
@@ -125,10 +129,11 @@ TEST_P(MixedTarget, ChangesTheSurfaceGraduallyUntilItRisesStraight)
 TEST_P(MixedTarget, ChangesTheSurfaceGraduallyIntoAZigzag)
 {
     const Jumps jumps(GetParam());
-    // Each side begins to give way, thin plates begin to take over from asan-fl, and the compressed sides change roles.
-    // With switches in their place vertices went 9 (plate-fl) and 12 mm at once.
-    for (const double share : {0.4, 0.48, 0.6, 0.84}) {
-        EXPECT_LE(jumps.largest(swinging, share, share + 0.02, 0.01), 0.03 * slide) << share;
+    // Where the line passes from one side to the other, where the tension side begins to give way, where a round of
+    // evening out the compression no longer helps, where thin plates take over from asan-fl and where the displacements
+    // begin to cancel. With switches in their place vertices went 9 (plate-fl) and 12 mm at once, with steep ramps 1.3.
+    for (const double share : {0.4, 0.47, 0.53, 0.64, 0.68, 0.77, 0.83}) {
+        EXPECT_LE(jumps.largest(swinging, share, share + 0.02, 0.01), 0.002 * slide) << share;
     }
 }
 
