@@ -15,6 +15,8 @@ namespace {
 constexpr int window = 5;
 /// A single fast step is no promise for the next.
 constexpr double least_ratio = 0.2;
+/// Passes within which the smallest step so far has to halve; where nothing holds a part's turn it rolls on and on.
+constexpr int patience = 50;
 
 double largest_row(const Eigen::MatrixXd& M) { return M.rows() == 0 ? 0 : M.rowwise().norm().maxCoeff(); }
 
@@ -33,7 +35,8 @@ Passes iterate(PlateSystem& system, Positions& V, double tolerance, int max_pass
     system.fit(V);
     V = system.minimise(V);
     run.count = 1;
-    double last_step = largest_row(V - start);
+    double last_step = largest_row(V - start), smallest = last_step;
+    int since = 0;
     while (run.count < max_passes) {
         system.fit(V);
         const Positions G = system.minimise(V);
@@ -52,6 +55,15 @@ Passes iterate(PlateSystem& system, Positions& V, double tolerance, int max_pass
             break;
         }
         last_step = step;
+        ++since;
+        if (step < 0.5 * smallest) {
+            smallest = step;
+            since = 0;
+        }
+        if (since >= patience) {
+            V = G;
+            break;
+        }
         V = anderson.next(V, G);
         if (!progress.report(std::min(0.99, run.count / 20.0), "plate")) {
             run.cancelled = true;

@@ -36,7 +36,7 @@ struct PlateOptions {
 /// condition is not modelled.
 ///
 /// Result: `iterations` are passes, `energy` is without unit. Not reaching the tolerance is no error here: see
-/// `converged`. `start` (n×3, meeting the support) replaces the stretched rest shape as the first guess. Cancelled
+/// `converged`; passes end early when the smallest step has not halved within fifty of them. `start` (n×3, meeting the support) replaces the stretched rest shape as the first guess. Cancelled
 /// through `progress`. Rejected when a vertex is not connected to any constraint or a triangle has no area; usage error
 /// when the counts of the support differ.
 Result<DeformationResult> bend_plate(const Mesh& rest, const PlateSupport& support, const PlateOptions& options = {},

@@ -82,7 +82,8 @@ Error not_converged(const MoveResult& move)
         if (!solve.converged) {
             return {ErrorKind::not_converged,
                     fmt::format("the solver did not converge on the {} side: error estimate {:.3g} mm after {} "
-                                "iterations, wanted {:.3g} mm; raise --max-iterations or --solver-tolerance, or give "
+                                "iterations, wanted {:.3g} mm; choose a region that ends before other feature lines "
+                                "(--roi-distance), raise --max-iterations or --solver-tolerance, or give "
                                 "--allow-unconverged",
                                 solve.side, solve.error_estimate_mm, solve.iterations, solve.tolerance_mm)};
         }
