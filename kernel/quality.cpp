@@ -179,7 +179,7 @@ QualityMaps quality_maps(const QualityInput& input)
         return maps;
     }
     const quality::Context context(input);
-    maps.bulge_mm = quality::bulge_map(context, context.vertices);
+    maps.bulge_mm = quality::bulge_map(context, context.vertices).mm;
     quality::curvature_maps(context, maps);
     return maps;
 }

@@ -28,7 +28,13 @@ struct QualityInput {
     std::vector<int> extended_line = {}; ///< the line with its prolongation to the rim; empty when there is none
     std::vector<int> carried = {}; ///< vertices of strips that went along with the line as pieces: they may leave the
                                    ///< old surface, as the line may, and count in no bulge
+    const Model* cad =
+        nullptr; ///< rest's triangles with the CAD faces that they stand for, from which the bulge is then
+                 ///< measured; null or without exact faces: from the triangles
 };
+
+/// What a bulge is measured from: the exact CAD faces before the move, or the triangles before it.
+enum class BulgeReference { triangles, exact };
 
 /// One section across Lt: four polylines in one plane, each from the line outwards to the region's rim. A list of
 /// triangles that holds both sides of the line (an uncut region) is taken apart at the line, its right part counting
@@ -62,6 +68,9 @@ struct QualityReport {
     double bulge_rms_mm = 0;       ///< over the compressed side, weighted by area
     double bulge_fraction = 0;     ///< |bulge_max| / slide_max
     Vec3 bulge_at = Vec3::Zero();
+    BulgeReference bulge_reference = BulgeReference::triangles;
+    int bulge_fallbacks = 0; ///< with `exact`: vertices measured from the triangles, their closest place on the CAD
+                             ///< faces being in doubt (kernel/exact_sheet.h)
     SectionMeasure compressed_sections, tension_sections;
     double gauss_sign_change = 0; ///< share of area in [0, 1] whose sign went from + to - or back, both beyond the
                                   ///< dead band (kernel/quality_curvature.cpp; method.md G3); without the line

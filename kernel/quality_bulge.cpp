@@ -73,34 +73,77 @@ Vec3 pseudo_normal(const Context& context, const MeshFoot& foot)
     return sum;
 }
 
+/// The region's rest surface: its CAD faces where the input has them, else its triangles.
+class RestSurface {
+public:
+    explicit RestSurface(const Context& context) : context_(context)
+    {
+        const Model* cad = context.input.cad;
+        const std::vector<int> faces = faces_and_ring(context);
+        const bool all = faces.size() == context.side.size();
+        const bool exact = cad && cad->surface && cad->cad_face.size() == context.side.size();
+        if (exact) {
+            exact_ = all && context.shape->exact ? &*context.shape->exact : &own_exact_.emplace(*cad, faces);
+        } else {
+            triangles_ =
+                all && context.shape->surface ? &*context.shape->surface : &own_triangles_.emplace(context.rest, faces);
+        }
+    }
+
+    bool exact() const { return exact_ != nullptr; }
+
+    struct Distance {
+        double mm = std::numeric_limits<double>::quiet_NaN();
+        bool exact = false;
+    };
+
+    Distance signed_distance(const Vec3& p) const
+    {
+        const SheetFoot foot = exact_ ? exact_->foot(p) : SheetFoot{triangles_->closest(p), {}};
+        if (foot.exact) {
+            const double distance = (p - foot.exact->point).norm();
+            return {foot.exact->normal.dot(p - foot.exact->point) < 0 ? -distance : distance, true};
+        }
+        if (foot.triangle.face < 0) {
+            return {};
+        }
+        const double sense = pseudo_normal(context_, foot.triangle).dot(p - foot.triangle.point);
+        return {sense < 0 ? -foot.triangle.distance : foot.triangle.distance, false};
+    }
+
+private:
+    const Context& context_;
+    std::optional<ExactSheet> own_exact_;
+    std::optional<ClosestPoint> own_triangles_;
+    const ExactSheet* exact_ = nullptr; ///< one of the two
+    const ClosestPoint* triangles_ = nullptr;
+};
+
 } // namespace
 
-std::vector<double> bulge_map(const Context& context, const std::vector<int>& vertices)
+BulgeMap bulge_map(const Context& context, const std::vector<int>& vertices)
 {
-    std::vector<double> map(context.rest.V.rows(), std::numeric_limits<double>::quiet_NaN());
-    const std::vector<int> faces = faces_and_ring(context);
-    const bool kept = context.shape->surface && faces.size() == context.side.size();
-    std::optional<ClosestPoint> made;
-    if (!kept) {
-        made.emplace(context.rest, faces);
-    }
-    const ClosestPoint& surface = kept ? *context.shape->surface : *made;
+    const RestSurface surface(context);
+    BulgeMap map{std::vector<double>(context.rest.V.rows(), std::numeric_limits<double>::quiet_NaN()),
+                 surface.exact() ? BulgeReference::exact : BulgeReference::triangles, 0};
+    std::vector<char> fallback(vertices.size(), 0);
     parallel_for(
         static_cast<int>(vertices.size()),
         [&](int i) {
             const int v = vertices[i];
             const Vec3 p = context.moved.V.row(v);
             if (p == Vec3(context.rest.V.row(v))) {
-                map[v] = 0; // not moved: no need to search
+                map.mm[v] = 0; // not moved: no need to search
                 return;
             }
-            const MeshFoot foot = surface.closest(p);
-            if (foot.face >= 0) {
-                const double sense = pseudo_normal(context, foot).dot(p - foot.point);
-                map[v] = sense < 0 ? -foot.distance : foot.distance;
-            }
+            const auto [distance, exact] = surface.signed_distance(p);
+            map.mm[v] = distance;
+            fallback[i] = exact ? 0 : 1;
         },
         64);
+    if (surface.exact()) {
+        map.fallbacks = static_cast<int>(std::ranges::count(fallback, 1));
+    }
     return map;
 }
 
@@ -122,7 +165,10 @@ void measure_bulge(const Context& context, QualityReport& report)
     std::vector<int> judged;
     std::ranges::copy_if(context.vertices, std::back_inserter(judged),
                          [&](int v) { return weight[v] > 0 && !context.on_line[v]; });
-    const std::vector<double> map = bulge_map(context, judged);
+    const BulgeMap bulges = bulge_map(context, judged);
+    const std::vector<double>& map = bulges.mm;
+    report.bulge_reference = bulges.reference;
+    report.bulge_fallbacks = bulges.fallbacks;
     double squares = 0, total = 0;
     for (const int v : judged) {
         if (!std::isfinite(map[v])) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/closest_point.h"
+#include "kernel/exact_sheet.h"
 #include "kernel/quality.h"
 #include "kernel/topology.h"
 
@@ -22,6 +23,7 @@ struct RestShape {
     Positions normals;                        ///< per triangle: unit normal, zero without area
     std::vector<double> areas;                ///< per triangle [mm²]
     std::optional<ClosestPoint> surface = {}; ///< of all triangles, where it is worth keeping
+    std::optional<ExactSheet> exact = {};     ///< the same with their CAD faces
 };
 
 /// The input with what several measures need of it, computed once. `rest_shape`: of the input's rest mesh, made here
@@ -66,8 +68,13 @@ void measure_creases(const Context& context, QualityReport& report);
 void measure_rim(const Context& context, QualityReport& report);
 void measure_extension(const Context& context, QualityReport& report);
 
-/// Signed distance of the moved vertices of a list to the region's rest surface, NaN for all others [mm].
-std::vector<double> bulge_map(const Context& context, const std::vector<int>& vertices);
+/// Signed distances of the moved vertices of a list to the region's rest surface.
+struct BulgeMap {
+    std::vector<double> mm; ///< per vertex of the mesh, NaN for those not listed
+    BulgeReference reference = BulgeReference::triangles;
+    int fallbacks = 0; ///< see `QualityReport`
+};
+BulgeMap bulge_map(const Context& context, const std::vector<int>& vertices);
 void measure_bulge(const Context& context, QualityReport& report);
 
 std::vector<Section> cut_sections(const Context& context);

@@ -18,14 +18,17 @@ class StripMeter {
 public:
     /// Every index of the mesh must be one of its vertices.
     explicit StripMeter(Mesh rest);
+    /// The same for a model, whose CAD faces, if it has any, bulges are measured from.
+    explicit StripMeter(Model rest);
 
-    const Mesh& rest() const { return rest_; }
+    const Mesh& rest() const { return rest_->mesh; }
+    const Model& model() const { return *rest_; }
 
-    /// `input.rest` must be `rest()`. Rejected as `measure_strip` does.
+    /// `input.rest` must be `rest()`, and `input.cad` is `model()`. Rejected as `measure_strip` does.
     Result<QualityReport> measure(const QualityInput& input) const;
 
 private:
-    Mesh rest_;
+    std::shared_ptr<const Model> rest_;
     std::shared_ptr<const quality::RestShape> shape_;
 };
 

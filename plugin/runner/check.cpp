@@ -3,7 +3,7 @@
 
 #include "io/model_file.h"
 #include "io/target_file.h"
-#include "kernel/closest_point.h"
+#include "kernel/exact_sheet.h"
 #include "kernel/parallel.h"
 #include "kernel/placement.h"
 #include "kernel/strip.h"
@@ -18,10 +18,29 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace tapeline {
 
 namespace {
+
+/// Distance of each point from a model's surface: its CAD faces where it has them, else its triangles [mm].
+std::vector<double> distances_to(const Model& model, const Positions& V)
+{
+    std::vector<int> all(model.mesh.F.rows());
+    std::iota(all.begin(), all.end(), 0);
+    const std::optional<ExactSheet> exact =
+        model.surface ? std::optional<ExactSheet>(std::in_place, model, all) : std::nullopt;
+    const std::optional<ClosestPoint> triangles =
+        exact ? std::nullopt : std::optional<ClosestPoint>(std::in_place, model.mesh);
+    std::vector<double> distance(V.rows());
+    parallel_for(static_cast<int>(V.rows()), [&](int v) {
+        const Vec3 p = V.row(v);
+        const SheetFoot foot = exact ? exact->foot(p) : SheetFoot{triangles->closest(p), {}};
+        distance[v] = foot.exact ? (foot.exact->point - p).norm() : foot.triangle.distance;
+    });
+    return distance;
+}
 
 /// The steps of a check; each returns whether it worked and leaves its part in the members.
 class Checker {
@@ -51,6 +70,7 @@ public:
             // The CAD data of the model before still fits where the triangles are the same.
             rest_ = before.rows() == after.rows() && before == after ? before_->model : Model{};
             rest_.mesh = Mesh{match.V, after_->model.mesh.F};
+            cad_ = with_cad_faces(rest_.mesh, before_->model);
             find_moved_faces();
         }
     }
@@ -87,6 +107,7 @@ public:
         QualityInput input{rest_.mesh, after_->model.mesh.V, line_.vertices, line_.closed,
                            {},         moved_faces_,         nullptr,        9};
         input.target = target_ ? &*target_ : nullptr;
+        input.cad = &cad_;
         if (!target_) {
             omit("no target is known (give --target FILE), so the line error is left out");
         }
@@ -280,11 +301,10 @@ private:
 
     void measure_distances()
     {
-        const ClosestPoint surface(before_->model.mesh);
         const Positions& V = after_->model.mesh.V;
-        std::vector<double> distance(V.rows());
-        parallel_for(static_cast<int>(V.rows()),
-                     [&](int v) { distance[v] = surface.closest(V.row(v).transpose()).distance; });
+        const std::vector<double> distance = distances_to(before_->model, V);
+        outcome_.measures.surface_distance_reference =
+            before_->model.surface ? BulgeReference::exact : BulgeReference::triangles;
         double largest = 0, squares = 0;
         for (const double d : distance) {
             largest = std::max(largest, d);
@@ -319,6 +339,7 @@ private:
     MoveRecord record_;
     std::optional<TargetLine> target_;
     Model rest_;
+    Model cad_; ///< rest_'s mesh with the CAD faces of the model before
     FeatureLine line_;
     std::vector<int> moved_faces_;
     CheckOutcome outcome_;

@@ -110,7 +110,13 @@ struct Editor::Base {
         const ExtendedLine& extended = drag.extended();
         rest = std::make_shared<Mesh>(extended.model.mesh);
         patch = patch_of_faces(*rest, extended.region.faces);
-        meter.emplace(std::move(patch.mesh));
+        Model region{std::move(patch.mesh), {}, {}, extended.model.surface};
+        if (region.surface) {
+            for (const int t : patch.to_face) {
+                region.cad_face.push_back(extended.model.cad_face[t]);
+            }
+        }
+        meter.emplace(std::move(region));
         sides = {drag.side_faces()[0], drag.side_faces()[1]};
         if (!drag.splits()) {
             sides = sides_of_line(*rest, extended.region.faces, extended.vertices, extended.closed);

@@ -38,10 +38,17 @@ void section_rows(Rows& rows, const char* side, const SectionMeasure& m)
     rows.push_back({fmt::format("largest turning increase, {} side [deg]", side), "", number(m.turning_increase)});
 }
 
+const char* reference_name(BulgeReference reference)
+{
+    return reference == BulgeReference::exact ? "exact" : "triangles";
+}
+
 void bulge_rows(Rows& rows, const QualityReport& q)
 {
     rows.push_back({"bulge of the compressed side [mm]", "0", number(q.bulge_max_mm)});
     rows.push_back({"bulge RMS [mm]", "0", number(q.bulge_rms_mm)});
+    rows.push_back(
+        {"bulge measured from", q.bulge_reference == BulgeReference::exact ? "exact faces" : "triangles before", ""});
     rows.push_back({"bulge / largest slide", "0", number(q.bulge_fraction)});
     rows.push_back(
         {"bulge at [mm]", "", fmt::format("({:.4g}, {:.4g}, {:.4g})", q.bulge_at.x(), q.bulge_at.y(), q.bulge_at.z())});
@@ -125,7 +132,9 @@ ordered_json measures_json(const Measures& m)
     json["bulge"] = when(m.has_compressed, {{"max_mm", q.bulge_max_mm},
                                             {"rms_mm", q.bulge_rms_mm},
                                             {"fraction", q.bulge_fraction},
-                                            {"at", {q.bulge_at.x(), q.bulge_at.y(), q.bulge_at.z()}}});
+                                            {"at", {q.bulge_at.x(), q.bulge_at.y(), q.bulge_at.z()}},
+                                            {"reference", reference_name(q.bulge_reference)},
+                                            {"fallback_vertices", q.bulge_fallbacks}});
     json["sections"] = when(line, {{"compressed", when(m.has_compressed, sections_json(q.compressed_sections))},
                                    {"tension", sections_json(q.tension_sections)}});
     json["curvature_sign_change"] =
@@ -159,7 +168,9 @@ ordered_json measures_json(const Measures& m)
                            m.solver->uniqueness_mm ? ordered_json(*m.solver->uniqueness_mm) : ordered_json(nullptr)}};
     }
     if (m.surface_distance_max_mm) {
-        json["surface_distance"] = {{"max_mm", *m.surface_distance_max_mm}, {"rms_mm", *m.surface_distance_rms_mm}};
+        json["surface_distance"] = {{"max_mm", *m.surface_distance_max_mm},
+                                    {"rms_mm", *m.surface_distance_rms_mm},
+                                    {"reference", reference_name(m.surface_distance_reference)}};
     }
     return json;
 }
@@ -266,6 +277,7 @@ QualityInput quality_input(const MoveResult& move, const TargetCurve& target)
     input.closed = move.correspondence.line.closed;
     input.target = &target;
     input.extended_line = move.extended_line;
+    input.cad = &move.rest;
     for (const StripReport& strip : move.strips) {
         input.carried.insert(input.carried.end(), strip.vertices.begin(), strip.vertices.end());
     }

@@ -31,6 +31,7 @@ struct Measures {
     bool has_compressed = false;                   ///< a compressed side is known: bulge
     std::optional<double> surface_distance_max_mm; ///< of moved vertices to the surface before, without the others
     std::optional<double> surface_distance_rms_mm;
+    BulgeReference surface_distance_reference = BulgeReference::triangles;
     std::optional<SolverMeasures> solver; ///< of a move, not of a check
     std::vector<std::string> omitted;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/rest_match.h"
 
+#include "kernel/closest_point.h"
+#include "kernel/parallel.h"
 #include "kernel/topology.h"
 
 #include <algorithm>
@@ -95,6 +97,28 @@ bool match_appended(const Mesh& moved, const Mesh& before, const std::vector<App
 }
 
 } // namespace
+
+Model with_cad_faces(Mesh rest, const Model& before)
+{
+    Model model{std::move(rest), {}, {}, before.surface};
+    if (!before.surface || before.cad_face.empty()) {
+        return model;
+    }
+    const Triangles& F = model.mesh.F;
+    if (F.rows() == before.mesh.F.rows() && F == before.mesh.F) {
+        model.cad_face = before.cad_face;
+        return model;
+    }
+    const ClosestPoint triangles(before.mesh);
+    model.cad_face.resize(F.rows());
+    parallel_for(static_cast<int>(F.rows()), [&](int t) {
+        const Positions& V = model.mesh.V;
+        const Vec3 centre = (V.row(F(t, 0)) + V.row(F(t, 1)) + V.row(F(t, 2))) / 3;
+        const int face = triangles.closest(centre).face;
+        model.cad_face[t] = face < 0 ? -1 : before.cad_face[face];
+    });
+    return model;
+}
 
 RestMatch match_rest(const Mesh& moved, const Mesh& before, const std::vector<AppendedVertex>& appended)
 {

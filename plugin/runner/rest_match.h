@@ -23,4 +23,8 @@ struct RestMatch {
 /// empty they are found from the edges that the cut removed.
 RestMatch match_rest(const Mesh& moved, const Mesh& before, const std::vector<AppendedVertex>& appended);
 
+/// That rest shape as a model with the CAD faces of the one before, if it has any: of each triangle the face of the
+/// triangle before that its centre lies on.
+Model with_cad_faces(Mesh rest, const Model& before);
+
 } // namespace tapeline

@@ -223,6 +223,7 @@ std::string outcome_table(const JobOutcome& o)
     const PlacementResult& p = o.move.placement;
     const bool on = p.verdict == Placement::on_surface;
     const bool compressed = o.measures.has_compressed;
+    const bool from_exact = q.bulge_reference == BulgeReference::exact;
     const auto change = [](const SectionMeasure& m) {
         return fmt::format("{}, {}", m.inflections_before, m.inflections_after);
     };
@@ -234,7 +235,7 @@ std::string outcome_table(const JobOutcome& o)
                             : p.compressed == LineSide::left ? "left"
                                                              : "right"},
         {"largest slide", mm(q.slide_max_mm)},
-        {"bulge", compressed ? mm(q.bulge_max_mm) : "-"},
+        {"bulge", compressed ? mm(q.bulge_max_mm) + (from_exact ? " from the exact faces" : "") : "-"},
         {"inflections, compressed side", compressed ? change(q.compressed_sections) : "-"},
         {fmt::format("inflections, {} side", compressed ? "tension" : "either"), change(q.tension_sections)},
         {"crease angle before, after", fmt::format("{:.3f}, {:.3f} deg", q.crease_before, q.crease_after)},

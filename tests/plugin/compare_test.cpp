@@ -235,6 +235,14 @@ TEST(CompareFailure, OfAnAmbiguousMethodIsARowToo)
     EXPECT_GT(arap["uniqueness"]["distance_mm"], 0.1);
     EXPECT_TRUE(arap["rank"].is_null());
     EXPECT_NE(read_text(folder / "out/compare.html").find("is ambiguous: from another start"), std::string::npos);
+
+    // Both are measured from the CAD faces, the one that stays on them and the one that buckles far off.
+    const json &still = ours["quality"]["bulge"], &buckled = arap["quality"]["bulge"];
+    EXPECT_EQ(still["reference"], "exact");
+    EXPECT_EQ(buckled["reference"], "exact");
+    EXPECT_LT(std::abs(still["max_mm"].get<double>()), 1e-6);
+    EXPECT_GT(std::abs(buckled["max_mm"].get<double>()), 10);
+    EXPECT_EQ(buckled["fallback_vertices"], 0);
 }
 
 TEST(CompareFailure, WritesNothingWhenTheJobCannotBePrepared)

@@ -6,6 +6,7 @@
 #include "tests/plugin/run_command.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace tapeline::testing {
 namespace {
@@ -105,6 +106,27 @@ TEST(Editor, LeavesMeasuresOutWhereTheBudgetIsSpent)
     ASSERT_TRUE(timely->strip);
     EXPECT_LT(timely->strip->line_error_max_mm, 1e-9);
     EXPECT_EQ(late->V, timely->V);
+}
+
+TEST(Editor, MeasuresAPreviewOfACadModelFromItsFaces)
+{
+    Job job;
+    const auto model = *hold_model(TAPELINE_SOURCE_DIR "/resources/models/hood.step", {});
+    const HeldLine line = *held_part(*model, held_lines(*model, {}).front(), "20%", "80%");
+    job.region.roi_distance = 250;
+    job.remesh.max_edge = 25;
+    const JobInputs inputs = use_held(job, model, line, {});
+    const TargetLine fitted = make_target(model->imported.model, line.line, {})->line;
+    const auto target = slide_on_surface(fitted, model->imported.model.mesh, {{{0, 0}, {0.5, 20}, {1, 0}}});
+    ASSERT_TRUE(target);
+    Editor editor(job, inputs);
+    ASSERT_TRUE(editor.start(*target, {}));
+    const auto preview = editor.preview(*target, 60000, {});
+    ASSERT_TRUE(preview) << preview.error().message;
+    const auto bulge = strip_json(*preview)["bulge"];
+    EXPECT_EQ(bulge["reference"], "exact");
+    EXPECT_GT(std::abs(bulge["max_mm"].get<double>()), 0);
+    EXPECT_LT(std::abs(bulge["max_mm"].get<double>()), 0.5); // the target was slid over coarse triangles
 }
 
 TEST(Editor, FailsAsAMoveDoesAndGoesOn)
