@@ -3,9 +3,11 @@
 // along the prolongation, where the surface is to go on as it did.
 #include "kernel/crease_ring.h"
 #include "kernel/move_steps.h"
+#include "kernel/run_out.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace tapeline {
@@ -67,28 +69,103 @@ std::vector<Eigen::Quaterniond> line_turns(const SideMesh& side, const Positions
     return turns;
 }
 
-/// Per edge of the prolonged line how far its middle lies beyond the used part, along the line at rest [mm]; negative
-/// within it. On a loop the prolongation is reached from both ends.
-std::vector<double> way_beyond(const ExtendedLine& line)
+/// A normal, put upright on the direction, turned about it [rad].
+Vec3 turned_about(const Vec3& along, double angle, const Vec3& normal)
 {
-    const int n = static_cast<int>(line.vertices.size()), edges = line.closed ? n : n - 1;
-    std::vector<double> way(edges, -1);
-    const auto walk = [&](int from, int step) {
-        double s = 0;
-        for (int k = 0, e = from; k < edges && (line.closed || (e >= 0 && e < edges)); ++k, e += step) {
-            const int i = (e % n + n) % n;
-            if (i >= line.first && i < line.last) {
-                break;
-            }
-            const double length =
-                (line.model.mesh.V.row(line.vertices[(i + 1) % n]) - line.model.mesh.V.row(line.vertices[i])).norm();
-            way[i] = way[i] < 0 ? s + length / 2 : std::min(way[i], s + length / 2);
-            s += length;
+    return Eigen::AngleAxisd(angle, along) * (normal - along * along.dot(normal)).normalized();
+}
+
+/// What turns a normal of the other side into one of this side at that crease [rad].
+double turn_across(double degrees, int side) { return degrees * std::numbers::pi / 180 * (side == 0 ? 1 : -1); }
+
+/// The direction of edge i of the line after the move.
+Vec3 direction_after(const ExtendedLine& line, size_t i)
+{
+    return (line.targets[(i + 1) % line.targets.size()] - line.targets[i]).normalized();
+}
+
+/// The triangles left and right of edge i.
+std::array<int, 2> faces_beside(const ExtendedLine& line, const Topology& topology, size_t i)
+{
+    const int a = line.vertices[i], b = line.vertices[(i + 1) % line.vertices.size()];
+    return {topology.face_left_of(a, b), topology.face_left_of(b, a)};
+}
+
+/// Who has to follow whom where the surface goes on.
+struct Sides {
+    int own = 0, tension = 0;
+    double u_max_mm = 0;
+    std::array<std::vector<Eigen::Quaterniond>, 2> turns; ///< as `line_turns`
+};
+
+/// Per edge of the prolonged line a side's normal where the surface goes on across it as at rest.
+std::vector<Vec3> even_normals(const ExtendedLine& line, const std::vector<double>& angles, const Sides& sides)
+{
+    const Mesh& rest = line.model.mesh;
+    const Topology topology(rest.F, static_cast<int>(rest.V.rows()));
+    std::vector<Vec3> normals(angles.size(), Vec3::Zero());
+    for (size_t i = 0; i < angles.size(); ++i) {
+        const size_t next = (i + 1) % line.vertices.size();
+        const Vec3 a = rest.V.row(line.vertices[i]), b = rest.V.row(line.vertices[next]);
+        const auto beside = faces_beside(line, topology, i);
+        // The side that made room lies on the old surface; the other one goes on from it as it did at rest.
+        const Vec3 u = 0.5 * (line.targets[i] + line.targets[next] - a - b);
+        const double into = way_into(rest, beside[sides.tension], b - a, sides.tension, u);
+        const double share = smooth_step(into, 0, runs_in_clearly * sides.u_max_mm);
+        for (const int source : {0, 1}) {
+            const double turn = source == sides.own ? 0 : turn_across(angles[i], sides.own);
+            const Vec3 turned = sides.turns[source][i] * triangle_normal(rest, beside[source]);
+            normals[i] +=
+                (source == sides.tension ? share : 1 - share) * turned_about(direction_after(line, i), turn, turned);
         }
-    };
-    walk(line.last, 1);
-    walk(line.first - 1, -1);
-    return way;
+        normals[i].normalize();
+    }
+    return normals;
+}
+
+/// Per edge of the used line a side's normal at the old crease angle to the solved other side; zero beyond.
+std::vector<Vec3> crease_normals(const ExtendedLine& line, const std::vector<double>& angles, Mesh solved, int side)
+{
+    for (size_t i = 0; i < line.targets.size(); ++i) {
+        solved.V.row(line.vertices[i]) = line.targets[i];
+    }
+    const Topology topology(solved.F, static_cast<int>(solved.V.rows()));
+    std::vector<Vec3> normals(angles.size(), Vec3::Zero());
+    for (int i = line.first; i < line.last; ++i) {
+        const Vec3 other = triangle_normal(solved, faces_beside(line, topology, i)[1 - side]);
+        normals[i] = turned_about(direction_after(line, i), turn_across(angles[i], side), other);
+    }
+    return normals;
+}
+
+/// By how much a side at V is turned from those normals just inside of where the change runs out, at both ends [rad].
+std::array<double, 2> end_turns(const ExtendedLine& line, const SideMesh& side, bool left, const Positions& V,
+                                const std::vector<RunOut>& run_out, const std::vector<Vec3>& even)
+{
+    const Mesh inner = side.own_mesh(V);
+    const Topology topology(inner.F, static_cast<int>(inner.V.rows()));
+    std::array<double, 2> turns{0, 0};
+    for (const int after : {0, 1}) {
+        int i = after ? line.last - 1 : line.first;
+        for (int k = 1; k < (line.last - line.first) / 2 && run_out[i].left >= 0; ++k) {
+            i += after ? -1 : 1;
+        }
+        const int a = side.line[i], b = side.line[(i + 1) % side.line.size()];
+        const int t = left ? topology.face_left_of(a, b) : topology.face_left_of(b, a);
+        const Vec3 normal = triangle_normal(inner, t);
+        turns[after] = std::atan2(even[i].cross(normal).dot(direction_after(line, i)), even[i].dot(normal));
+    }
+    return turns;
+}
+
+void add_to(PlateSupport& support, const CreaseRing& ring)
+{
+    const Eigen::Index before = support.targets.rows();
+    support.constrained.insert(support.constrained.end(), ring.vertices.begin(), ring.vertices.end());
+    support.targets.conservativeResize(before + static_cast<Eigen::Index>(ring.targets.size()), 3);
+    for (size_t i = 0; i < ring.targets.size(); ++i) {
+        support.targets.row(before + static_cast<Eigen::Index>(i)) = ring.targets[i];
+    }
 }
 
 } // namespace
@@ -99,111 +176,71 @@ bool MoveState::guides_ends() const
     return cut_ && extended_.vertices.size() > used && !tension_decides_ends();
 }
 
-std::vector<char> MoveState::guided_edges(const std::vector<double>& angles) const
+CreaseRing MoveState::ring(int side, const Positions& carried, const std::vector<Vec3>& normals) const
 {
-    const std::vector<double> way = way_beyond(extended_);
-    std::vector<char> guided(angles.size(), 0);
-    for (size_t i = 0; i < angles.size() && guides_ends(); ++i) {
-        if (way[i] < 0) {
-            continue;
+    const SideState& own = sides_[side];
+    const CreaseRing all = crease_ring(own.side, carried, extended_.closed, extended_.targets, normals, side == 0);
+    CreaseRing ring;
+    for (size_t i = 0; i < all.vertices.size(); ++i) {
+        // A strip that rests on the old surface, or is held, is at its place.
+        const bool rests = own.strip && (own.strip->settled || side == compression());
+        if (!rests || !own.strip->has(all.vertices[i])) {
+            ring.vertices.push_back(all.vertices[i]);
+            ring.targets.push_back(all.targets[i]);
         }
-        // A crease that the line's end takes along changes its angle as the line's does; the change runs out over as far
-        // as the end moved sideways. Where nothing was sharp, nothing may become so.
-        const bool before = static_cast<int>(i) < extended_.first;
-        const int end = before ? extended_.first : extended_.last;
-        const int next = before ? extended_.first + 1 : extended_.last - 1;
-        const Vec3 at = extended_.model.mesh.V.row(extended_.vertices[end]);
-        const Vec3 along = (at - Vec3(extended_.model.mesh.V.row(extended_.vertices[next]))).normalized();
-        const double across = (extended_.targets[end] - at).cross(along).norm();
-        const double sharp =
-            keeps_crease() ? 0 : std::min(1.0, std::abs(angles[i]) / std::max(1e-3, options_.rim_crease_angle));
-        guided[i] = way[i] >= sharp * across ? 1 : 0;
     }
-    return guided;
-}
-
-std::vector<Vec3> MoveState::held_normals(int side) const
-{
-    const Mesh& rest = extended_.model.mesh;
-    FeatureLine line;
-    line.vertices = extended_.vertices;
-    line.closed = extended_.closed;
-    const std::vector<double> angles = signed_crease_angles(rest, rest.V, line);
-    const bool along_line = keeps_crease() && side == tension();
-    const std::vector<char> guided = guided_edges(angles);
-    // On the line: what the solved other side is like. Beyond its ends: what the side is like that made room there, which
-    // lies on the old surface; the other one goes on from it as it did at rest.
-    Mesh solved = rest;
-    sew(sides_[1 - side].side, sides_[1 - side].V, solved.V);
-    for (size_t i = 0; i < extended_.targets.size() && along_line; ++i) {
-        solved.V.row(extended_.vertices[i]) = extended_.targets[i];
-    }
-    std::array<std::vector<Eigen::Quaterniond>, 2> turns;
-    for (int s = 0; s < 2; ++s) {
-        turns[s] = line_turns(sides_[s].side, sides_[s].rest, s == 0);
-    }
-    const Topology topology(rest.F, static_cast<int>(rest.V.rows()));
-    std::vector<Vec3> normals(angles.size(), Vec3::Zero());
-    for (size_t i = 0; i < angles.size(); ++i) {
-        const bool used = static_cast<int>(i) >= extended_.first && static_cast<int>(i) < extended_.last;
-        if (used ? !along_line : guided[i] == 0) {
-            continue;
-        }
-        const size_t next = (i + 1) % extended_.vertices.size();
-        const int a = extended_.vertices[i], b = extended_.vertices[next];
-        const std::array<int, 2> beside{topology.face_left_of(a, b), topology.face_left_of(b, a)};
-        const Vec3 along = (extended_.targets[next] - extended_.targets[i]).normalized();
-        const auto after = [&](const Vec3& normal, int source) -> Vec3 {
-            const double turn = source == side ? 0 : angles[i] * std::numbers::pi / 180 * (side == 0 ? 1 : -1);
-            return Eigen::AngleAxisd(turn, along) * (normal - along * along.dot(normal)).normalized();
-        };
-        if (used) {
-            normals[i] = after(triangle_normal(solved, beside[1 - side]), 1 - side);
-            continue;
-        }
-        const Vec3 u = extended_.targets[i] + extended_.targets[next] - Vec3(rest.V.row(a)) - Vec3(rest.V.row(b));
-        const double into = 0.5 * way_into(rest, beside[tension()], rest.V.row(b) - rest.V.row(a), tension(), u);
-        const double share = smooth_step(into, 0, runs_in_clearly * result_.placement.u_max_mm);
-        for (const int source : {compression(), tension()}) {
-            const Vec3 turned = turns[source][i] * triangle_normal(rest, beside[source]);
-            normals[i] += (source == tension() ? share : 1 - share) * after(turned, source);
-        }
-        normals[i].normalize();
-    }
-    return normals;
+    return ring;
 }
 
 Result<void> MoveState::hold_ring(int side, PlateSupport& support, const PlateOptions& options) const
 {
-    if (!guides_ends() && !(keeps_crease() && side == tension())) {
+    const bool along_line = keeps_crease() && side == tension();
+    if (!guides_ends() && !along_line) {
         return {};
     }
-    const std::vector<Vec3> normals = held_normals(side);
-    if (std::ranges::all_of(normals, [](const Vec3& normal) { return normal.isZero(0); })) {
-        return {};
+    FeatureLine line;
+    line.vertices = extended_.vertices;
+    line.closed = extended_.closed;
+    const std::vector<double> angles = signed_crease_angles(extended_.model.mesh, extended_.model.mesh.V, line);
+    std::vector<RunOut> runs(angles.size());
+    std::vector<Vec3> even, normals(angles.size(), Vec3::Zero());
+    if (along_line) {
+        Mesh solved = extended_.model.mesh;
+        sew(sides_[1 - side].side, sides_[1 - side].V, solved.V);
+        normals = crease_normals(extended_, angles, std::move(solved), side);
+    }
+    if (guides_ends()) {
+        runs = run_out(extended_, angles, keeps_crease() ? 0 : options_.rim_crease_angle);
+        even = even_normals(
+            extended_, angles,
+            {side,
+             tension(),
+             result_.placement.u_max_mm,
+             {line_turns(sides_[0].side, sides_[0].rest, true), line_turns(sides_[1].side, sides_[1].rest, false)}});
+    }
+    for (size_t i = 0; i < runs.size(); ++i) {
+        normals[i] = runs[i].left == 0 ? even[i] : normals[i];
     }
     // In their plane the ring's vertices go where the side's domain has them, to which the plate pulls them there. Along
     // the line itself a little more or less can make an inflection (the panel moved by 75 mm): there the plate is asked.
     const Mesh rest{sides_[side].rest, sides_[side].side.mesh.F};
-    const bool along_line = keeps_crease() && side == tension();
-    const auto carried = along_line ? bend_plate(rest, support, options).map(&DeformationResult::V)
-                                    : PlateSystem::domain(rest, support, options.material);
-    if (!carried) {
-        return tl::unexpected(carried.error());
-    }
-    const CreaseRing ring =
-        crease_ring(sides_[side].side, *carried, extended_.closed, extended_.targets, normals, side == 0);
-    const std::optional<CarriedStrip>& strip = sides_[side].strip;
-    for (size_t i = 0; i < ring.vertices.size(); ++i) {
-        // A strip that rests on the old surface, or is held, is at its place.
-        if (strip && (strip->settled || side == compression()) && strip->has(ring.vertices[i])) {
-            continue;
+    const auto bent = [&](const PlateSupport& held) {
+        return bend_plate(rest, held, options).map([](const DeformationResult& result) { return result.V; });
+    };
+    auto carried = along_line ? bent(support) : PlateSystem::domain(rest, support, options.material);
+    if (carried && std::ranges::any_of(runs, [](const RunOut& run) { return run.left > 0; })) {
+        // What a free line's crease becomes shows in a plate that is held only where the change has run out.
+        PlateSupport first = support;
+        add_to(first, ring(side, *carried, normals));
+        carried = bent(first);
+        const auto turns = carried ? end_turns(extended_, sides_[side].side, side == 0, *carried, runs, even)
+                                   : std::array<double, 2>{};
+        for (size_t i = 0; i < runs.size(); ++i) {
+            const double turn = runs[i].left * turns[runs[i].after ? 1 : 0];
+            normals[i] = runs[i].left > 0 ? turned_about(direction_after(extended_, i), turn, even[i]) : normals[i];
         }
-        support.constrained.push_back(ring.vertices[i]);
-        support.targets.conservativeResize(support.targets.rows() + 1, 3);
-        support.targets.bottomRows(1) = ring.targets[i].transpose();
     }
-    return {};
+    return carried.map([&](const Positions& V) { add_to(support, ring(side, V, normals)); });
 }
 
 } // namespace tapeline

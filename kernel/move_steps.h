@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/crease_ring.h"
 #include "kernel/exact_side.h"
 #include "kernel/move.h"
 #include "kernel/plate.h"
@@ -82,11 +83,8 @@ private:
     PlateOptions plate_options(const DeformationOptions& options) const;
     /// Whether both sides meet along the prolongation as the surface did there at rest.
     bool guides_ends() const;
-    /// Which edges of the prolonged line those are; `angles` has their creases at rest [deg].
-    std::vector<char> guided_edges(const std::vector<double>& angles) const;
-    /// Per edge of the prolonged line the normal that the side's plate is to have beside it; zero where it is free.
-    std::vector<Vec3> held_normals(int side) const;
-    /// Puts the plate's first ring of vertices where its triangles have those normals.
+    CreaseRing ring(int side, const Positions& carried, const std::vector<Vec3>& normals) const;
+    /// Puts the plate's first ring of vertices where its triangles have the normals that they are to have.
     Result<void> hold_ring(int side, PlateSupport& support, const PlateOptions& options) const;
     /// What the method's own solve is to do at the rim.
     RimControl own_rim_control() const;

@@ -121,10 +121,10 @@ TEST(LineThatEndsWithASlide, LetsTheSurfaceGoOnAcrossItsProlongation)
             const bool kept = crease == LineCrease::keep;
             const auto [move, quality] = slide_evenly(panel, std::tan(std::numbers::pi / 30), crease);
             EXPECT_TRUE(move.converged());
-            // The crease changes along the line; beyond it the change runs out over as far as the end moved.
-            EXPECT_LE(quality.extension_crease_mean_change.value_or(99), 0.3);
+            // The crease changes along the line; around its ends the change runs out, so that half of it is left there.
+            EXPECT_LE(quality.extension_crease_mean_change.value_or(99), 0.2);
             EXPECT_LE(quality.extension_crease_max_change.value_or(99),
-                      kept ? 0.5 : quality.crease_max_difference + 0.5);
+                      kept ? 0.5 : 0.5 * quality.crease_max_difference + 0.2);
             EXPECT_EQ(quality.compressed_sections.inflections_after, 0);
             EXPECT_LE(quality.tension_sections.inflections_after, kept ? 2 : 0);
             EXPECT_LE(std::abs(quality.bulge_max_mm), 0.1);
