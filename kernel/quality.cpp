@@ -160,7 +160,7 @@ Result<QualityReport> measure_quality(const QualityInput& input)
         quality::measure_strip(context, report);
         quality::measure_curvature(context, report);
         quality::measure_triangles(context, report);
-        report.self_intersections = quality::new_self_intersections(context);
+        quality::measure_intersections(context, report);
         report.symmetry_residual_mm = quality::symmetry_residual(context);
         quality::measure_rim(context, report);
         quality::measure_extension(context, report);

@@ -91,6 +91,7 @@ struct QualityReport {
     int flipped = 0;            ///< triangles turned over against their rest normal (compressed side) or against
                                 ///< most of their neighbours (both sides)
     int self_intersections = 0; ///< pairs of region triangles that meet after the move and did not before
+    Vec3 self_intersection_at = Vec3::Zero(); ///< the middle of one of them after the move [mm]
     std::optional<double>
         symmetry_residual_mm;          ///< where the rest shape, L0 and Lt share a mirror plane: largest distance
                                        ///< of a moved vertex's image to the moved mirrored vertex

@@ -88,7 +88,7 @@ void curvature_maps(const Context& context, QualityMaps& maps);
 
 void measure_triangles(const Context& context, QualityReport& report);
 /// Pairs of region triangles that meet in the moved mesh but not at rest.
-int new_self_intersections(const Context& context);
+void measure_intersections(const Context& context, QualityReport& report);
 
 std::optional<double> symmetry_residual(const Context& context);
 

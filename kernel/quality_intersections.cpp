@@ -51,16 +51,20 @@ std::vector<FacePair> intersecting_pairs(const Context& context, const Mesh& mes
 
 } // namespace
 
-int new_self_intersections(const Context& context)
+void measure_intersections(const Context& context, QualityReport& report)
 {
     const std::vector<FacePair> after = intersecting_pairs(context, context.moved);
     if (after.empty()) {
-        return 0;
+        return;
     }
     const std::vector<FacePair> before = intersecting_pairs(context, context.rest);
     std::vector<FacePair> created;
     std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(created));
-    return static_cast<int>(created.size());
+    report.self_intersections = static_cast<int>(created.size());
+    if (!created.empty()) {
+        const int t = created.front().first;
+        report.self_intersection_at = context.moved.V(context.moved.F.row(t), Eigen::all).colwise().mean();
+    }
 }
 
 } // namespace tapeline::quality

@@ -55,6 +55,18 @@ void warn_of_rim_crease(JobOutcome& outcome, bool tangent)
     }
 }
 
+void warn_of_intersections(JobOutcome& outcome)
+{
+    const QualityReport& q = outcome.measures.quality;
+    if (q.self_intersections > 0) {
+        const Vec3& at = q.self_intersection_at;
+        outcome.warnings.push_back(fmt::format(
+            "the moved surface cuts through itself, {} pairs of triangles, as at ({:.6g}, {:.6g}, {:.6g}) mm: "
+            "shorten the slide, or move the line in a smaller region (--roi-distance)",
+            q.self_intersections, at.x(), at.y(), at.z()));
+    }
+}
+
 /// From this change of its mean crease angle on, another line is said to lose its crease [deg].
 constexpr double inner_crease_change = 2;
 
@@ -185,6 +197,7 @@ Result<JobOutcome> solve_steps(const Job& job, const JobInputs& inputs, Stopwatc
             outcome.gates = evaluate_gates(job.gate, outcome.measures);
             collect_warnings(outcome);
             warn_of_rim_crease(outcome, job.move.rim == "tangent");
+            warn_of_intersections(outcome);
             warn_of_inner_lines(outcome);
             outcome.seconds = watch.seconds();
             return std::move(outcome);
