@@ -32,7 +32,8 @@ Vec3 position(const Mesh& mesh, int v) { return mesh.V.row(v); }
 /// True for an ordinary interior edge with one triangle on either side.
 bool two_sided(const MeshEdge& edge) { return edge.face_count == 2 && edge.left >= 0 && edge.right >= 0; }
 
-/// Bend at edge e, positive where the surface is convex [deg].
+} // namespace
+
 double signed_bend(const Mesh& mesh, const MeshEdge& edge)
 {
     const Vec3 n1 = triangle_normal(mesh, edge.left), n2 = triangle_normal(mesh, edge.right);
@@ -40,6 +41,8 @@ double signed_bend(const Mesh& mesh, const MeshEdge& edge)
     const double angle = std::atan2(cross.norm(), n1.dot(n2)) * degrees;
     return cross.dot(position(mesh, edge.b) - position(mesh, edge.a)) >= 0 ? angle : -angle;
 }
+
+namespace {
 
 int third_vertex(const Mesh& mesh, int t, int a, int b)
 {

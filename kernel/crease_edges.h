@@ -17,6 +17,9 @@ enum class CreaseLevel : char {
 /// From this angle on an edge of a mesh file is a crease whatever its neighbourhood looks like [deg].
 constexpr double very_sharp_angle = 40;
 
+/// Bend at an edge between two triangles, positive where the surface is convex [deg].
+double signed_bend(const Mesh& mesh, const MeshEdge& edge);
+
 /// What is left of the crease angle of edge e when the bending that both sides show beside it is taken off [deg].
 /// Walks straight away from the middle of e on both sides (triangles unfolded), measures how fast the facets there
 /// turn, and extrapolates both sides' normals to e: an edge of a coarsely tessellated cylinder or fillet leaves

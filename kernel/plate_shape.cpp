@@ -3,6 +3,7 @@
 
 #include "kernel/line_tangents.h"
 #include "kernel/parallel.h"
+#include "kernel/vertex_fan.h"
 
 namespace tapeline {
 
@@ -52,6 +53,24 @@ Positions apply_stiffness(const Eigen::SparseMatrix<double>& K, const Positions&
         result.row(v) = sum;
     });
     return result;
+}
+
+Vec3 pull_across_planes(const Mesh& rest, const Eigen::Matrix3d& R, const Mesh& moved,
+                        const std::vector<TriangleElement>& elements, int v, const std::vector<int>& faces)
+{
+    Vec3 across = Vec3::Zero();
+    for (const int t : faces) {
+        const TriangleElement& element = elements[t];
+        Eigen::Matrix3d corners;
+        for (int k = 0; k < 3; ++k) {
+            corners.col(k) = (moved.V.row(moved.F(t, k)) - moved.V.row(v)).transpose();
+        }
+        const Vec3 pull = element.area * corners * element.gradient.transpose() * element.material *
+                          element.gradient.col(corner_of(moved, t, v));
+        const Vec3 normal = R * triangle_normal(rest, t);
+        across += normal * normal.dot(pull);
+    }
+    return across;
 }
 
 std::vector<Vec3> polyline_curvature(const Positions& V, const std::vector<int>& line, bool closed)

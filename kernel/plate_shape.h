@@ -28,6 +28,11 @@ PlateShape plate_shape(const Mesh& mesh, const Material& material);
 /// K V, each row summed over differences to its own vertex, which keeps the digits that large coordinates would cost.
 Positions apply_stiffness(const Eigen::SparseMatrix<double>& K, const Positions& V);
 
+/// What of row v of K V leaves the planes of triangles at rest: the sum over the listed triangles around v of their pull
+/// on it, as `moved` has them, across the planes in which they lie at rest, turned by R.
+Vec3 pull_across_planes(const Mesh& rest, const Eigen::Matrix3d& R, const Mesh& moved,
+                        const std::vector<TriangleElement>& elements, int v, const std::vector<int>& faces);
+
 /// Curvature vector of the polyline through the listed vertices at each of them [1/mm], zero at the ends of an open one.
 std::vector<Vec3> polyline_curvature(const Positions& V, const std::vector<int>& line, bool closed);
 

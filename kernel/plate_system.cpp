@@ -151,6 +151,7 @@ void PlateSystem::find_rows()
     const auto n = static_cast<size_t>(rest_.V.rows());
     std::vector<std::vector<int>> still(n);
     around_.resize(n);
+    beside_.resize(n);
     for (int t = 0; t < rest_.F.rows(); ++t) {
         const bool moves =
             unknown_of_[rest_.F(t, 0)] >= 0 || unknown_of_[rest_.F(t, 1)] >= 0 || unknown_of_[rest_.F(t, 2)] >= 0;
@@ -162,6 +163,7 @@ void PlateSystem::find_rows()
     for (size_t v = 0; v < n; ++v) {
         weights_[v] = around_[v].empty() ? 0 : 1;
         if (!still[v].empty()) {
+            std::swap(around_[v], beside_[v]);
             around_[v] = still[v];
         }
     }
@@ -252,6 +254,8 @@ void PlateSystem::find_targets(const PlateShape& rest)
         targets_.row(v) = own + carried * (shape_.cells[v] * wanted - carried.dot(own));
         if (same) {
             targets_.row(v) = own;
+        } else if (!beside_[v].empty()) {
+            targets_.row(v) = own - pull_across_planes(rest_, R, domain_, shape_.elements, v, beside_[v]);
         }
         tangents_[v] = tangent_basis(carried);
         if (!around_[v].empty()) {

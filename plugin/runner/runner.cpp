@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugin/runner/runner.h"
 
+#include "kernel/rim.h"
 #include "plugin/runner/guard.h"
 #include "plugin/runner/job_outputs.h"
 #include "plugin/runner/sha256.h"
@@ -39,19 +40,31 @@ void collect_warnings(JobOutcome& outcome)
     }
 }
 
-/// From this change of the crease angle at the rim on, mean and largest, a move is said to leave a crease [deg].
+/// From this change of the angle across the rim on, mean and largest, a move is said to change it [deg].
 constexpr double rim_crease_mean = 0.5, rim_crease_max = 1.5;
 
-void warn_of_rim_crease(JobOutcome& outcome, bool tangent)
+void warn_of_rim_crease(JobOutcome& outcome, const MoveOptions& options)
 {
+    const auto counts = [](double mean, double max) { return mean > rim_crease_mean || max > rim_crease_max; };
     const QualityReport& q = outcome.measures.quality;
-    if (q.rim_crease_mean_change > rim_crease_mean || q.rim_crease_max_change > rim_crease_max) {
-        const char* remedy =
-            tangent ? "widen it (--roi-distance)" : "ask for --rim tangent or widen it (--roi-distance)";
+    if (!counts(q.rim_crease_mean_change, q.rim_crease_max_change)) {
+        return;
+    }
+    const MoveResult& move = outcome.move;
+    const auto [smooth, creased] = rim_changes(move.rest, move.V, move.region, options.rim_crease_angle);
+    const bool tangent = options.rim == RimControl::tangent;
+    if (counts(smooth.mean, smooth.max)) {
         outcome.warnings.push_back(fmt::format(
-            "the move leaves a crease where the region ends, {:.2g} deg in the mean and {:.2g} deg at most: "
-            "{}",
-            q.rim_crease_mean_change, q.rim_crease_max_change, remedy));
+            "the move leaves a crease where the region ends, {:.2g} deg in the mean and {:.2g} deg at most: {}",
+            smooth.mean, smooth.max,
+            tangent ? "widen it (--roi-distance)" : "ask for --rim tangent or widen it (--roi-distance)"));
+    }
+    if (counts(creased.mean, creased.max)) {
+        outcome.warnings.push_back(fmt::format(
+            "where the region ends on a crease of {:.2g} deg, the move changes its angle by {:.2g} deg in the mean and "
+            "{:.2g} deg at most: {}",
+            creased.at_rest, creased.mean, creased.max,
+            tangent ? "slide less, or widen the region beyond it (--roi-distance)" : "--rim tangent keeps it"));
     }
 }
 
@@ -196,7 +209,7 @@ Result<JobOutcome> solve_steps(const Job& job, const JobInputs& inputs, Stopwatc
             outcome.input_sha256 = std::move(sum);
             outcome.gates = evaluate_gates(job.gate, outcome.measures);
             collect_warnings(outcome);
-            warn_of_rim_crease(outcome, job.move.rim == "tangent");
+            warn_of_rim_crease(outcome, move_options(job));
             warn_of_intersections(outcome);
             warn_of_inner_lines(outcome);
             outcome.seconds = watch.seconds();

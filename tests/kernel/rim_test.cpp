@@ -60,3 +60,29 @@ TEST(Rim, TiltsEverywhereOrNowhereWhenAsked)
     EXPECT_EQ(tilting_rim(rim.model, rim.region, RimControl::position, 5), rim.region.fixed_rim);
     EXPECT_TRUE(tilting_rim(rim.model, rim.region, RimControl::tangent, 5).empty());
 }
+
+TEST(Rim, TellsTheCreaseThatItRanAlongFromNewOnes)
+{
+    const CreaseRim rim;
+    const Mesh& rest = rim.model.mesh;
+    const double slope = std::tan(3 * M_PI / 180);
+    // Tilts the surface about the crease by 3 degrees in the middle, and meets the other three sides of the rim smoothly.
+    Positions moved = rest.V;
+    for (int v = 0; v < moved.rows(); ++v) {
+        const double x = moved(v, 0) / 200, y = moved(v, 1) / 200;
+        if (std::abs(x) < 1 && y > 0 && y < 1) {
+            moved(v, 2) += slope * 200 * y * std::pow(1 - y, 2) * std::pow(1 - x * x, 2);
+        }
+    }
+    const RimChanges changes = rim_changes(rim.model, moved, rim.region, 5);
+    EXPECT_NEAR(changes.creased.at_rest, 12, 0.6);
+    const double first_row = std::pow(1 - 0.1, 2); // a tenth of the way across
+    EXPECT_NEAR(changes.creased.max, 3 * first_row, 0.1);
+    EXPECT_NEAR(changes.creased.mean, 3 * first_row * 8 / 15, 0.05); // the mean of (1 - x²)²
+    EXPECT_LT(changes.smooth.max, 0.6);
+    EXPECT_LT(changes.smooth.at_rest, 1);
+    // Where a crease must be sharper than this one, all of it is the surface's own.
+    const RimChanges blunt = rim_changes(rim.model, moved, rim.region, 15);
+    EXPECT_EQ(blunt.creased.max, 0);
+    EXPECT_EQ(blunt.smooth.max, changes.creased.max);
+}

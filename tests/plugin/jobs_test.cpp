@@ -41,8 +41,11 @@ TEST_P(OurJobs, KeepTheirLimitsAndPassTheSameOnesInCheck)
     folder_.write("job.json", job_text(job_, folder_.path()));
     const CommandRun run = run_tapeline({"run", file("job.json"), "--quiet"});
     ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+    const auto stats = nlohmann::json::parse(read_text(folder_ / "stats.json"));
+    EXPECT_LE(stats["quality"]["rim_crease"]["mean_change"].get<double>(), 0.5);
+    EXPECT_LE(stats["quality"]["rim_crease"]["max_change"].get<double>(), 1.5);
     // Only one of the models has a bend beside its line; nothing is taken for one elsewhere.
-    const auto strip = nlohmann::json::parse(read_text(folder_ / "stats.json"))["strip"];
+    const auto& strip = stats["strip"];
     EXPECT_EQ(strip["class"], GetParam() == std::string("fillet_strip.json") ? "left" : "none") << strip["message"];
     std::vector<std::string> words = {"check",    file("moved.obj"),   "--against", file("rest.obj"),
                                       "--target", file("target.json"), "--quiet"};
