@@ -150,8 +150,7 @@ void PlateSystem::find_rows()
 {
     const auto n = static_cast<size_t>(rest_.V.rows());
     std::vector<std::vector<int>> still(n);
-    around_.resize(n);
-    beside_.resize(n);
+    around_ = beside_ = still;
     for (int t = 0; t < rest_.F.rows(); ++t) {
         const bool moves =
             unknown_of_[rest_.F(t, 0)] >= 0 || unknown_of_[rest_.F(t, 1)] >= 0 || unknown_of_[rest_.F(t, 2)] >= 0;
