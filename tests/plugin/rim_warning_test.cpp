@@ -20,7 +20,7 @@ CommandRun move_circle(const TemporaryFolder& folder, std::vector<std::string> m
                                       "--slide",
                                       "1.5",
                                       "--max-edge",
-                                      "1.2",
+                                      "0.8",
                                       "--angular-deflection",
                                       "12",
                                       "-o",
