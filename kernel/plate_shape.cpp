@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/plate_shape.h"
 
+#include "kernel/crease_edges.h"
 #include "kernel/line_tangents.h"
 #include "kernel/parallel.h"
 #include "kernel/vertex_fan.h"
@@ -53,6 +54,24 @@ Positions apply_stiffness(const Eigen::SparseMatrix<double>& K, const Positions&
         result.row(v) = sum;
     });
     return result;
+}
+
+void keep_beside_creases(const Mesh& rest, const Topology& topology, std::vector<std::vector<int>>& lists)
+{
+    constexpr double least_crease = 5; // [deg]
+    std::vector<char> keep(lists.size(), 0);
+    for (int e = 0; e < topology.edge_count(); ++e) {
+        const MeshEdge& edge = topology.edge(e);
+        if (edge.left >= 0 && edge.right >= 0 && !lists[edge.a].empty() && !lists[edge.b].empty() &&
+            standing_out_angle(rest, topology, e) >= least_crease) {
+            keep[edge.a] = keep[edge.b] = 1;
+        }
+    }
+    for (size_t v = 0; v < lists.size(); ++v) {
+        if (!keep[v]) {
+            lists[v].clear();
+        }
+    }
 }
 
 Vec3 pull_across_planes(const Mesh& rest, const Eigen::Matrix3d& R, const Mesh& moved,

@@ -3,6 +3,7 @@
 
 #include "kernel/mesh.h"
 #include "kernel/orthotropic.h"
+#include "kernel/topology.h"
 
 #include <Eigen/Sparse>
 #include <vector>
@@ -27,6 +28,10 @@ PlateShape plate_shape(const Mesh& mesh, const Material& material);
 
 /// K V, each row summed over differences to its own vertex, which keeps the digits that large coordinates would cost.
 Positions apply_stiffness(const Eigen::SparseMatrix<double>& K, const Positions& V);
+
+/// Empties the lists, one per vertex, of all but the ends of creases between two listed vertices: edges of which at least
+/// 5 deg stand out (kernel/crease_edges.h).
+void keep_beside_creases(const Mesh& rest, const Topology& topology, std::vector<std::vector<int>>& lists);
 
 /// What of row v of K V leaves the planes of triangles at rest: the sum over the listed triangles around v of their pull
 /// on it, as `moved` has them, across the planes in which they lie at rest, turned by R.

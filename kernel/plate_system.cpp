@@ -162,8 +162,7 @@ void PlateSystem::find_rows()
     for (size_t v = 0; v < n; ++v) {
         weights_[v] = around_[v].empty() ? 0 : 1;
         if (!still[v].empty()) {
-            std::swap(around_[v], beside_[v]);
-            around_[v] = still[v];
+            around_[v].swap(beside_[v] = still[v]);
         }
     }
     for (const int v : support_.free_slope) {
@@ -171,6 +170,7 @@ void PlateSystem::find_rows()
     }
     // The slope across a border is what its row decides; a rotation that followed it would decide nothing.
     const Topology topology(rest_.F, static_cast<int>(n));
+    keep_beside_creases(rest_, topology, beside_);
     for (const MeshEdge& edge : topology.edges()) {
         for (const int v : {edge.a, edge.b}) {
             if (edge.border() && weights_[v] > 0 && still[v].empty()) {

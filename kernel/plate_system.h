@@ -35,9 +35,9 @@ struct PlateSupport {
 ///
 /// summed over the free vertices and the constrained ones that are not in `free_slope`. T_a is what (K x)_a would be
 /// with the rest shape's curvature: its normal part is -M_a D : b with b the second fundamental form at rest, carried to
-/// the domain and kept under stretching; its tangential part is the domain's own. At a clamped rim, T_a is
-/// the domain's (K x)_a less what its free triangles pull across their planes at rest: there may be a crease, whose
-/// angle is no curvature to be kept under stretching, and the domain has turned against it. So E measures how much the surface
+/// the domain and kept under stretching; its tangential part is the domain's own. Where a clamped rim runs along a
+/// crease, T_a is the domain's (K x)_a less what its free triangles pull across their planes at rest: a crease's angle is
+/// no curvature to be kept under stretching, and the domain has turned against it. So E measures how much the surface
 /// bends, not how it is stretched; where the domain is the rest mesh, T = K p and E is method.md A9's energy of u = x - p
 /// (up to the rotations). R_a is fitted to the triangles around a, from the domain to x; where some of them have no free
 /// corner, to those alone, so that a clamped rim keeps its own rotation. At free vertices of borders it is the rigid
@@ -93,10 +93,10 @@ private:
     std::vector<double> weights_; ///< per vertex 1 / M_a, 0 where its row does not count
     std::vector<std::vector<int>>
         around_; ///< per vertex the triangles that its rotation is fitted to; none: not fitted
-    std::vector<std::vector<int>> beside_;   ///< per vertex of a clamped rim the triangles that move, else none
-    Positions targets_;                      ///< T
-    Positions normals_;                      ///< the rest normals carried to the domain
-    std::vector<Eigen::Matrix3d> curvature_; ///< b, carried to the domain
+    std::vector<std::vector<int>> beside_;              ///< at clamped rims on creases the triangles that move
+    Positions targets_;                                 ///< T
+    Positions normals_;                                 ///< the rest normals carried to the domain
+    std::vector<Eigen::Matrix3d> curvature_;            ///< b, carried to the domain
     std::vector<Eigen::Matrix<double, 3, 2>> tangents_; ///< orthonormal, of the domain
     std::vector<Eigen::Matrix2d> unstretched_; ///< inverse of what is fitted to the domain itself, in those tangents
     std::vector<double> stretch_share_;        ///< of the stretch beyond the domain's that the curvature follows
