@@ -17,9 +17,9 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 /// The angle that a triangle of the ring may miss where one vertex serves several edges [rad].
-constexpr double may_miss = 0.4 / degrees;
+constexpr double may_miss = 0.2 / degrees;
 /// How far such a vertex may go for it, as a share of its height over the edge.
-constexpr double may_shift = 0.22;
+constexpr double may_shift = 0.35;
 
 /// A line edge, as carried and as wanted, with the normal that this side has and shall have there.
 struct RingEdge {

@@ -78,20 +78,29 @@ Result<DeformationResult> MoveState::bend_part(const SideState& side, const Cons
         support.line = side.side.line;
         support.closed = extended_.closed;
     }
+    const bool holds = cut_ && keeps_crease() && &side == &sides_[tension()];
+    const PlateOptions plate = plate_options(options, holds);
     if (cut_) {
-        if (auto held = hold_ring(&side == &sides_[0] ? 0 : 1, support, plate_options(options)); !held) {
+        if (auto held = hold_ring(&side == &sides_[0] ? 0 : 1, support, plate); !held) {
             return tl::unexpected(held.error());
         }
     }
-    return bend_plate(Mesh{side.rest, side.side.mesh.F}, support, plate_options(options), start, progress);
+    return bend_plate(Mesh{side.rest, side.side.mesh.F}, support, plate, start, progress);
 }
 
-PlateOptions MoveState::plate_options(const DeformationOptions& options) const
+PlateOptions MoveState::plate_options(const DeformationOptions& options, bool held) const
 {
     PlateOptions plate;
     plate.material = options.material;
     plate.material.stiff = Stiff::along;
     plate.material.stiffness_ratio = std::min(options.material.stiffness_ratio, plate_stiffness(options_));
+    if (held && options_.plate_stiffness_ratio <= 0) {
+        // The stiffer the sections, the farther into the side they answer the line's curving, and where that changes
+        // sides they get a second inflection; soft ones take their turn near the line.
+        constexpr double held_section = 2;
+        plate.material.stiff = Stiff::across;
+        plate.material.stiffness_ratio = std::min(options.material.stiffness_ratio, held_section);
+    }
     plate.tolerance_mm = options.tolerance_mm;
     plate.max_passes = options.max_iterations;
     return plate;

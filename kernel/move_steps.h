@@ -80,7 +80,8 @@ private:
     Result<DeformationResult> bend_part(const SideState& side, const Constraints& constraints,
                                         const DeformationOptions& options, const std::optional<Positions>& start,
                                         const Progress& progress) const;
-    PlateOptions plate_options(const DeformationOptions& options) const;
+    /// `held`: of the side whose ring of triangles beside the line keeps the crease's angle.
+    PlateOptions plate_options(const DeformationOptions& options, bool held = false) const;
     /// Whether both sides meet along the prolongation as the surface did there at rest.
     bool guides_ends() const;
     CreaseRing ring(int side, const Positions& carried, const std::vector<Vec3>& normals) const;

@@ -215,7 +215,7 @@ void add_move_options(std::vector<Option>& table)
          .choices = {"free", "keep"}},
         {.section = "move", .name = "plate_stiffness_ratio", .slot = at<m, &M::plate_stiffness_ratio>,
          .commands = moving, .help = "plate-fl: bending stiffness along the move against across; 1 is isotropic.",
-         .min = 0, .max = 1e6, .zero = "3, and 1 with crease keep"},
+         .min = 0, .max = 1e6, .zero = "3; with crease keep 1, and 0.5 in the side that holds the angle"},
         {.section = "move", .name = "exact_surface", .slot = at<m, &M::exact_surface>, .commands = moving,
          .help = "CAD input: the side that gives way ends on the exact faces (auto), or on their triangles (off).",
          .choices = {"auto", "off"}},
