@@ -88,9 +88,8 @@ std::string method_title(const std::string& method)
 
 std::vector<std::string> reading_notes()
 {
-    return {"Bulge: distance of the side that gives way to its old surface; a move along the surface should leave "
-            "none. It is "
-            "measured from the exact CAD faces where the model has them, else from its triangles.",
+    return {"Bulge: distance of the side that gives way to its old surface; 0 is wanted of a move along the surface.",
+            "It is measured from the exact CAD faces where the model has them, else from its triangles.",
             "Inflections and turning: worst of nine sections across the moved line, each side on its own.",
             "Gauss sign: share of area, there and in all, whose Gaussian curvature changed between dome and saddle.",
             "Crown: change of the other side's mean curvature; -1 is pulled straight, 0 is kept, 1 is twice as round.",

@@ -123,7 +123,7 @@ std::string text_table(const Rows& rows)
 ordered_json measures_json(const Measures& m)
 {
     const QualityReport& q = m.quality;
-    const auto when = [](bool there, ordered_json value) { return there ? value : ordered_json(nullptr); };
+    const auto when = [](bool there, const ordered_json& value) { return there ? value : ordered_json(nullptr); };
     ordered_json json;
     json["line_error_max_mm"] = when(m.has_target, q.line_error_max_mm);
     json["chord_error_max_mm"] = when(m.has_target, q.chord_error_max_mm);
