@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/extension_space.h"
 
+#include "kernel/line_tangents.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -29,11 +31,7 @@ Vec3 region_normal(const Mesh& mesh, const Topology& topology, const std::vector
 /// at least half a mean edge is looked back.
 Vec3 end_direction(const Mesh& mesh, const std::vector<int>& line)
 {
-    double length = 0;
-    for (size_t i = 1; i < line.size(); ++i) {
-        length += (mesh.V.row(line[i]) - mesh.V.row(line[i - 1])).norm();
-    }
-    const double least = 0.5 * length / static_cast<double>(line.size() - 1);
+    const double least = 0.5 * line_length(mesh.V, line, false) / static_cast<double>(line.size() - 1);
     const Vec3 end = mesh.V.row(line.back());
     for (size_t i = line.size() - 1; i-- > 0;) {
         const Vec3 back = end - Vec3(mesh.V.row(line[i]));

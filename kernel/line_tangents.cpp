@@ -18,4 +18,13 @@ std::vector<Vec3> line_tangents(const std::vector<Vec3>& points, bool closed)
     return result;
 }
 
+double line_length(const Positions& V, const std::vector<int>& line, bool closed)
+{
+    double length = 0;
+    for (size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
+        length += (V.row(line[(i + 1) % line.size()]) - V.row(line[i])).norm();
+    }
+    return length;
+}
+
 } // namespace tapeline

@@ -10,8 +10,12 @@ namespace tapeline {
 namespace {
 
 /// A strip is carried where the region goes on beyond it for as far again; true where it ends before on most of the line.
-bool ends_before(const Mesh& region_side, const Mesh& side, const FeatureLine& line, double distance_mm)
+bool ends_before(const Model& model, const Region& region, int side_of_line, const Mesh& side, const FeatureLine& line,
+                 double distance_mm)
 {
+    const Mesh inside{model.mesh.V, model.mesh.F(region.faces, Eigen::all)};
+    const auto [left, right] = meshes_beside(inside, line.vertices, line.closed);
+    const Mesh& region_side = side_of_line == 0 ? left : right;
     const std::vector<Vec3> within = points_across(region_side, line.vertices, line.closed, distance_mm);
     const std::vector<Vec3> whole = points_across(side, line.vertices, line.closed, distance_mm);
     size_t cut = 0;
@@ -32,16 +36,14 @@ void MoveState::find_strips()
     }
     const FeatureLine& line = result_.correspondence.line;
     const auto [left, right] = meshes_beside(model_.mesh, line.vertices, line.closed);
-    const Mesh region{model_.mesh.V, model_.mesh.F(result_.region.faces, Eigen::all)};
-    const auto [region_left, region_right] = meshes_beside(region, line.vertices, line.closed);
     for (const int side : {0, 1}) {
         Strip& strip = result_.strips[side].bend;
-        strip = find_strip(side == 0 ? left : right, line.vertices, line.closed);
+        const Mesh& beside = side == 0 ? left : right;
+        strip = find_strip(beside, line.vertices, line.closed);
         if (options_.strip_width_mm) {
             strip.carried_mm = *options_.strip_width_mm;
         }
-        if (strip.found() &&
-            ends_before(side == 0 ? region_left : region_right, side == 0 ? left : right, line, 2 * strip.carried_mm)) {
+        if (strip.found() && ends_before(model_, result_.region, side, beside, line, 2 * strip.carried_mm)) {
             result_.warnings.push_back(fmt::format(
                 "a bend beside the line is not carried along: it takes {:.4g} mm and the region ends within "
                 "twice that on this side; widen it (--roi-distance), or say --strip none",

@@ -2,6 +2,7 @@
 #include "kernel/plate_domain.h"
 
 #include "kernel/deformation.h"
+#include "kernel/line_tangents.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,15 +61,11 @@ Positions stretched_domain(const Mesh& rest, const Positions& start, const std::
 
 double plate_width(const Mesh& mesh, const std::vector<int>& line, bool closed)
 {
-    double area = 0, length = 0;
+    double area = 0;
     for (int t = 0; t < mesh.F.rows(); ++t) {
         area += triangle_area(mesh, t);
     }
-    const size_t n = line.size();
-    for (size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
-        length += (mesh.V.row(line[(i + 1) % n]) - mesh.V.row(line[i])).norm();
-    }
-    return area / std::max(length, std::sqrt(area));
+    return area / std::max(line_length(mesh.V, line, closed), std::sqrt(area));
 }
 
 } // namespace tapeline

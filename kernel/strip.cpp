@@ -2,6 +2,7 @@
 #include "kernel/strip.h"
 
 #include "kernel/geodesic_distance.h"
+#include "kernel/line_tangents.h"
 #include "kernel/parallel.h"
 #include "kernel/quality.h"
 #include "kernel/sliding.h"
@@ -82,12 +83,12 @@ Mesh smooth_part(const Mesh& side, const Topology& topology, const std::vector<i
             reached[front.back()] = 1;
         }
     }
+    const double smooth = std::cos(sharp * degree);
     for (size_t i = 0; i < front.size(); ++i) {
+        const Vec3 normal = triangle_normal(side, front[i]);
         for (const int e : topology.face_edges(front[i])) {
             const int next = topology.face_across(front[i], e);
-            const double smooth = std::cos(sharp * degree);
-            if (next >= 0 && !reached[next] &&
-                triangle_normal(side, front[i]).dot(triangle_normal(side, next)) > smooth) {
+            if (next >= 0 && !reached[next] && normal.dot(triangle_normal(side, next)) > smooth) {
                 reached[next] = 1;
                 front.push_back(next);
             }
@@ -204,10 +205,7 @@ Strip find_strip(const Mesh& beside, const std::vector<int>& line, bool closed, 
     const Mesh side = smooth_part(beside, Topology(beside.F, static_cast<int>(beside.V.rows())), line);
     const Topology topology(side.F, static_cast<int>(side.V.rows()));
     const std::vector<Station> all = stations(side, topology, line, closed);
-    double length = 0;
-    for (size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
-        length += (side.V.row(line[(i + 1) % line.size()]) - side.V.row(line[i])).norm();
-    }
+    const double length = line_length(side.V, line, closed);
     std::vector<double> reaches;
     for (const Station& s : all) {
         const MeshPoint end = slide(side, topology, s.from, s.normal, farthest * length * s.across);

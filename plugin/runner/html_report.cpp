@@ -88,15 +88,15 @@ std::string method_title(const std::string& method)
 
 std::vector<std::string> reading_notes()
 {
-    return {"Bulge: distance of the side that gives way to its old surface; 0 is wanted of a move along the surface.",
-            "It is measured from the exact CAD faces where the model has them, else from its triangles.",
-            "Inflections and turning: worst of nine sections across the moved line, each side on its own.",
-            "Gauss sign: share of area, there and in all, whose Gaussian curvature changed between dome and saddle.",
-            "Crown: change of the other side's mean curvature; -1 is pulled straight, 0 is kept, 1 is twice as round.",
-            "Crease: RMS difference of the angle across the line after and before.",
-            "Rim crease: change of the angle across the region's border. End kink: across the line's prolongation.",
-            "Squash: smallest remaining width of a triangle, measured across the line, as a share of its width before.",
-            "Flips: triangles turned over. Unique to: how far apart the method ends from two starts."};
+    return {
+        "Bulge: distance of the side that gives way to its old surface (exact CAD faces, else triangles); 0 is best.",
+        "Inflections and turning: worst of nine sections across the moved line, each side on its own.",
+        "Gauss sign: share of area, there and in all, whose Gaussian curvature changed between dome and saddle.",
+        "Crown: change of the other side's mean curvature; -1 is pulled straight, 0 is kept, 1 is twice as round.",
+        "Crease: RMS difference of the angle across the line after and before.",
+        "Rim crease: change of the angle across the region's border. End kink: across the line's prolongation.",
+        "Squash: smallest remaining width of a triangle, measured across the line, as a share of its width before.",
+        "Flips: triangles turned over. Unique to: how far apart the method ends from two starts."};
 }
 
 std::string html_report(const Job& job, const JobOutcome& outcome, const std::vector<Picture>& pictures,
