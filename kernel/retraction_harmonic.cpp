@@ -207,9 +207,19 @@ struct Attempt {
     }
 };
 
+/// What a round multiplies a triangle's stiffness by, if that share of its length is left. Along a row of springs the
+/// compression c = 1 - left is force over stiffness, and stiffness · c makes it even in one round. 1 / left does the same
+/// to strong compression twice over and more (its logarithm changes by c / left of that of c), but is calm where there is
+/// little: it is taken up to where both change alike, c beyond.
+double stiffening(double left)
+{
+    constexpr double alike = 0.5;
+    return left > alike ? 1 / left : (1 - left) / (alike * alike);
+}
+
 /// Extends, places, and equalises: the linear extension spreads displacement evenly but not compression, which is worst
-/// where the line turns most (the material shears there as well). Each round divides every triangle's stiffness by what
-/// is left of its length, so that the strongly compressed ones pass the compression on.
+/// where the line turns most (the material shears there as well). Each round stiffens the strongly compressed triangles,
+/// so that they pass the compression on.
 Attempt attempt(const RetractionTask& task, const Material& material, const Frames& frames)
 {
     const Mesh& inner = task.inner();
@@ -227,7 +237,7 @@ Attempt attempt(const RetractionTask& task, const Material& material, const Fram
     double share = 1;
     for (int round = 0; round < equalizing_rounds; ++round) {
         for (size_t t = 0; t < elements.size(); ++t) {
-            elements[t].material /= last.left[t];
+            elements[t].material *= stiffening(last.left[t]);
         }
         Attempt next = placed(extend(task, elements, frames));
         share *= next.worth(last);

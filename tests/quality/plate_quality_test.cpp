@@ -200,8 +200,8 @@ TEST(PlateSlide, OfSeventyPercentOfTheWidthFoldsNothing)
         EXPECT_TRUE(move.converged());
         EXPECT_EQ(quality.flipped, 0);
         EXPECT_EQ(quality.compressed_sections.inflections_after, 0);
+        EXPECT_GE(quality.squash, 0.3);
         if (crease == LineCrease::free) {
-            EXPECT_GE(quality.squash, 0.98 * 0.302);
             EXPECT_EQ(quality.tension_sections.inflections_after, 0);
         }
     }
