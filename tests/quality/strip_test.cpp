@@ -192,8 +192,8 @@ TEST_P(StripMove, KeepsTheSectionOfABendThatTheLineLeavesBehind)
     const MoveResult carried = move_line(panel, target, with(GetParam()));
     ASSERT_EQ(carried.placement.compressed, LineSide::right);
     const Strip after = find_strip(panel.side(carried.V), panel.middle, false);
-    EXPECT_NEAR(after.width_mm, before.width_mm, 0.05 * before.width_mm);
-    EXPECT_NEAR(after.turning, before.turning, 2.5);
+    EXPECT_NEAR(after.width_mm, before.width_mm, 0.03 * before.width_mm);
+    EXPECT_NEAR(after.turning, before.turning, 0.5);
     const double kept = stretch(panel, carried.V, panel.width);
     const double bare = stretch(panel, move_line(panel, target, with(GetParam(), 0)).V, panel.width);
     EXPECT_LT(kept, 0.02);
