@@ -207,48 +207,83 @@ struct Attempt {
     }
 };
 
-/// What a round multiplies a triangle's stiffness by, if that share of its length is left. Along a row of springs the
-/// compression c = 1 - left is force over stiffness, and stiffness · c makes it even in one round. 1 / left does the same
-/// to strong compression twice over and more (its logarithm changes by c / left of that of c), but is calm where there is
-/// little: it is taken up to where both change alike, c beyond.
-double stiffening(double left)
+/// How much stiffer a round makes a triangle of whose length this share is left.
+double strongly(double left) { return 1 / left; }
+
+/// Along a row of springs the compression c = 1 - left is force over stiffness, and stiffness · c makes it even in one
+/// round. 1 / left does more than that from c = 1/2 on, and overshoots where all is compressed; below it is the calmer.
+double calmly(double left)
 {
     constexpr double alike = 0.5;
     return left > alike ? 1 / left : (1 - left) / (alike * alike);
 }
 
 /// Extends, places, and equalises: the linear extension spreads displacement evenly but not compression, which is worst
-/// where the line turns most (the material shears there as well). Each round stiffens the strongly compressed triangles,
-/// so that they pass the compression on.
-Attempt attempt(const RetractionTask& task, const Material& material, const Frames& frames)
-{
-    const Mesh& inner = task.inner();
-    const std::vector<TriangleElement> own = triangle_elements(inner, material);
-    const std::vector<int> vertices = free_vertices(task);
-    const auto placed = [&](Eigen::MatrixXd u) {
-        Attempt attempt{std::move(u), task.start(), {}, {}};
-        place_all(task, attempt.u, vertices, attempt.V);
-        attempt.folds = find_folds(inner, attempt.V);
-        attempt.left = compressions(inner, own, attempt.V, attempt.folds);
-        return attempt;
-    };
-    std::vector<TriangleElement> elements = own;
-    Attempt last = placed(extend(task, elements, frames)), taken = last;
-    double share = 1;
-    for (int round = 0; round < equalizing_rounds; ++round) {
-        for (size_t t = 0; t < elements.size(); ++t) {
-            elements[t].material *= stiffening(last.left[t]);
-        }
-        Attempt next = placed(extend(task, elements, frames));
-        share *= next.worth(last);
-        if (share == 0) {
-            break;
-        }
-        taken = share == 1 ? next : placed(taken.u + share * (next.u - taken.u));
-        last = std::move(next);
+/// where the line turns most (the material shears there as well). Each round stiffens the compressed triangles, strongly
+/// or, where that overshoots, calmly, so that they pass the compression on.
+class Equalizer {
+public:
+    Equalizer(const RetractionTask& task, const Material& material, const Frames& frames)
+        : task_(task), frames_(frames), own_(triangle_elements(task.inner(), material)), vertices_(free_vertices(task))
+    {
     }
-    return taken;
-}
+
+    Attempt run() const
+    {
+        std::vector<double> stiffness(own_.size(), 1);
+        Attempt last = extended(stiffness), taken = last;
+        double share = 1;
+        for (int round = 0; round < equalizing_rounds && share > 0; ++round) {
+            std::vector<double> stiffer = stiffened(stiffness, last, 1);
+            Attempt next = extended(stiffer);
+            if (const double worth = next.worth(last); worth < 1) {
+                next = extended(stiffer = stiffened(stiffness, last, worth));
+            }
+            stiffness = std::move(stiffer);
+            share *= next.worth(last);
+            if (share > 0) {
+                taken = share == 1 ? next : placed(taken.u + share * (next.u - taken.u));
+            }
+            last = std::move(next);
+        }
+        return taken;
+    }
+
+private:
+    /// By that share of a strong round, the rest of it calm.
+    static std::vector<double> stiffened(std::vector<double> stiffness, const Attempt& last, double strong)
+    {
+        for (size_t t = 0; t < stiffness.size(); ++t) {
+            const double left = last.left[t];
+            stiffness[t] *=
+                strong == 1 ? strongly(left) : std::pow(strongly(left), strong) * std::pow(calmly(left), 1 - strong);
+        }
+        return stiffness;
+    }
+
+    Attempt extended(const std::vector<double>& stiffness) const
+    {
+        std::vector<TriangleElement> elements = own_;
+        for (size_t t = 0; t < elements.size(); ++t) {
+            elements[t].material *= stiffness[t];
+        }
+        return placed(extend(task_, elements, frames_));
+    }
+
+    Attempt placed(Eigen::MatrixXd u) const
+    {
+        Attempt attempt{std::move(u), task_.start(), {}, {}};
+        place_all(task_, attempt.u, vertices_, attempt.V);
+        attempt.folds = find_folds(task_.inner(), attempt.V);
+        attempt.left = compressions(task_.inner(), own_, attempt.V, attempt.folds);
+        return attempt;
+    }
+
+    const RetractionTask& task_;
+    const Frames& frames_;
+    std::vector<TriangleElement> own_;
+    std::vector<int> vertices_;
+};
 
 /// Averages the displacement over neighbours, around folded triangles only, until they are open or nothing helps.
 Attempt smoothed(const RetractionTask& task, const Attempt& folded)
@@ -281,12 +316,12 @@ Attempt smoothed(const RetractionTask& task, const Attempt& folded)
 Positions retract_harmonic(const RetractionTask& task, const Material& material)
 {
     const Frames frames = parallel_frames(task);
-    Attempt best = attempt(task, material, frames);
+    Attempt best = Equalizer(task, material, frames).run();
     const auto try_again = [&](const Material& other_material, const Frames& other_frames) {
         if (best.folds.flipped.empty()) {
             return;
         }
-        if (Attempt next = attempt(task, other_material, other_frames); next.better_than(best)) {
+        if (Attempt next = Equalizer(task, other_material, other_frames).run(); next.better_than(best)) {
             best = std::move(next);
         }
     };
