@@ -11,18 +11,32 @@ namespace {
 
 /// A strip is carried where the region goes on beyond it for as far again; true where it ends before on most of the line.
 bool ends_before(const Model& model, const Region& region, int side_of_line, const Mesh& side, const FeatureLine& line,
-                 double distance_mm)
+                 const Strip& strip)
 {
+    const std::vector<double> distances = strip.carried(line.vertices.size(), 2);
     const Mesh inside{model.mesh.V, model.mesh.F(region.faces, Eigen::all)};
     const auto [left, right] = meshes_beside(inside, line.vertices, line.closed);
     const Mesh& region_side = side_of_line == 0 ? left : right;
-    const std::vector<Vec3> within = points_across(region_side, line.vertices, line.closed, distance_mm);
-    const std::vector<Vec3> whole = points_across(side, line.vertices, line.closed, distance_mm);
+    const std::vector<Vec3> within = points_across(region_side, line.vertices, line.closed, distances);
+    const std::vector<Vec3> whole = points_across(side, line.vertices, line.closed, distances);
     size_t cut = 0;
     for (size_t i = 0; i < whole.size(); ++i) {
-        cut += (within[i] - whole[i]).norm() > 1e-6 * distance_mm;
+        cut += (within[i] - whole[i]).norm() > 1e-6 * distances[i];
     }
     return 2 * cut > whole.size();
+}
+
+/// Per entry of the side's line what is carried beside it; along the prolongation as much as at the line's end.
+std::vector<double> carried_widths(const Strip& strip, const Model& model, const std::vector<int>& line,
+                                   const SideMesh& side)
+{
+    const std::vector<double> known = strip.carried(line.size());
+    std::vector<double> widths;
+    for (const int v : side.line) {
+        const auto apart = [&](int u) { return (model.mesh.V.row(u) - side.mesh.V.row(v)).squaredNorm(); };
+        widths.push_back(known[std::ranges::min_element(line, {}, apart) - line.begin()]);
+    }
+    return widths;
 }
 
 } // namespace
@@ -42,8 +56,9 @@ void MoveState::find_strips()
         strip = find_strip(beside, line.vertices, line.closed);
         if (options_.strip_width_mm) {
             strip.carried_mm = *options_.strip_width_mm;
+            strip.widths.clear();
         }
-        if (strip.found() && ends_before(model_, result_.region, side, beside, line, 2 * strip.carried_mm)) {
+        if (strip.found() && ends_before(model_, result_.region, side, beside, line, strip)) {
             result_.warnings.push_back(fmt::format(
                 "a bend beside the line is not carried along: it takes {:.4g} mm and the region ends within "
                 "twice that on this side; widen it (--roi-distance), or say --strip none",
@@ -66,7 +81,9 @@ void MoveState::lay_strip(int side, bool rests)
         const auto place = exact ? exact->closest(p) : std::optional<Vec3>();
         return place ? *place : triangles.closest(p).point;
     };
-    state.strip = carry_strip(state.side, {report.bend.carried_mm, extended_.closed, rests}, extended_.targets, ground);
+    const std::vector<int>& line = result_.correspondence.line.vertices;
+    const std::vector<double> widths = carried_widths(report.bend, model_, line, state.side);
+    state.strip = carry_strip(state.side, {widths, extended_.closed, rests}, extended_.targets, ground);
     if (state.strip->vertices.empty()) { // narrower than the triangles
         state.strip.reset();
         report.bend.carried_mm = 0;

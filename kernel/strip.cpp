@@ -6,6 +6,7 @@
 #include "kernel/parallel.h"
 #include "kernel/quality.h"
 #include "kernel/sliding.h"
+#include "kernel/strip_fit.h"
 #include "kernel/topology.h"
 
 #include <Eigen/Dense>
@@ -25,16 +26,12 @@ constexpr int most_stations = 48, samples = 160;
 constexpr double farthest = 0.5;
 /// What is carried beside the bend, so that the carried piece ends in the smooth part of the side [of the bend's width].
 constexpr double margin = 0.25;
-/// Of the way that a bend takes to nine tenths of its angle, the first tenth of the angle may take this share; an even
-/// bend takes a ninth.
-constexpr double early = 0.1, late = 0.9, latest_start = 0.3;
 /// A strip ends at an edge that turns the surface by more than this [deg].
 constexpr double sharp = 40;
-/// Largest part of the straight fit's squares that the fit with a bend may leave.
-constexpr double unexplained = 0.2;
 
 /// Where a path across the side starts: the middle of a line edge.
 struct Station {
+    double entry = 0; ///< its place in the line, between the edge's entries
     MeshPoint from;
     Vec3 start = Vec3::Zero(), along = Vec3::Zero(), normal = Vec3::Zero(), across = Vec3::Zero();
 };
@@ -48,6 +45,7 @@ std::vector<Station> stations(const Mesh& side, const Topology& topology, const 
             continue;
         }
         Station station;
+        station.entry = static_cast<double>(i) + 0.5;
         const int t = std::max(topology.edge(e).left, topology.edge(e).right);
         station.from.face = t;
         for (int k = 0; k < 3; ++k) {
@@ -98,13 +96,6 @@ Mesh smooth_part(const Mesh& side, const Topology& topology, const std::vector<i
     return {side.V, side.F(front, Eigen::all)};
 }
 
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 Vec3 normal_at(const Mesh& side, const Positions& normals, const MeshPoint& at)
 {
     Vec3 normal = Vec3::Zero();
@@ -134,60 +125,6 @@ std::vector<std::vector<double>> profiles(const Mesh& side, const Topology& topo
     return result;
 }
 
-struct BendFit {
-    double left = 1;                        ///< share of the straight fit's squares that is left
-    double width = 0, inner = 0, outer = 0; ///< κ and κ' [1/mm]
-};
-
-BendFit fit_bend(const std::vector<double>& d, const std::vector<double>& tau, double w, double window)
-{
-    size_t n = 0;
-    while (n < d.size() && d[n] <= window * w) {
-        ++n;
-    }
-    Eigen::MatrixXd A(static_cast<Eigen::Index>(n), 3);
-    Eigen::VectorXd b(static_cast<Eigen::Index>(n));
-    for (size_t k = 0; k < n; ++k) {
-        const double weight = std::sqrt(d[std::min(k + 1, n - 1)] - d[k > 0 ? k - 1 : 0]);
-        A.row(static_cast<Eigen::Index>(k)) << weight, weight * d[k], weight * std::max(0.0, d[k] - w);
-        b[static_cast<Eigen::Index>(k)] = weight * tau[k];
-    }
-    const Eigen::VectorXd straight = A.leftCols(2).colPivHouseholderQr().solve(b),
-                          bent = A.colPivHouseholderQr().solve(b);
-    const double one = (A.leftCols(2) * straight - b).squaredNorm(), two = (A * bent - b).squaredNorm();
-    return {one > 0 ? two / one : 1, w, bent[1], bent[1] + bent[2]};
-}
-
-/// The best fit with a width in that range, by thirds.
-BendFit refined(const std::vector<double>& d, const std::vector<double>& tau, BendFit best,
-                std::pair<double, double> range, double window)
-{
-    for (int step = 0; step < 30 && range.second > range.first; ++step) {
-        const double third = (range.second - range.first) / 3;
-        const BendFit a = fit_bend(d, tau, range.first + third, window);
-        const BendFit b = fit_bend(d, tau, range.second - third, window);
-        (a.left <= b.left ? range.second : range.first) = a.left <= b.left ? b.width : a.width;
-        for (const BendFit& fit : {a, b}) {
-            best = fit.left < best.left ? fit : best;
-        }
-    }
-    return best;
-}
-
-/// Where the profile first reaches this share of the bend's angle [mm].
-double reached(const std::vector<double>& d, const std::vector<double>& tau, const BendFit& fit, double share)
-{
-    const double wanted = share * fit.inner * fit.width;
-    const auto there = std::ranges::find_if(tau, [&](double angle) { return angle / wanted >= 1; });
-    return there == tau.end() ? std::numeric_limits<double>::infinity() : d[there - tau.begin()];
-}
-
-bool turns_from_the_line_on(const std::vector<double>& d, const std::vector<double>& tau, const BendFit& fit)
-{
-    const double start = reached(d, tau, fit, early), end = reached(d, tau, fit, late);
-    return std::isfinite(end) && start <= latest_start * end;
-}
-
 /// The share of the stations that turn through at least half of the bend.
 double share_bent(const std::vector<double>& d, const std::vector<std::vector<double>>& all, const BendFit& fit)
 {
@@ -196,6 +133,39 @@ double share_bent(const std::vector<double>& d, const std::vector<std::vector<do
     const auto bent = std::ranges::count_if(
         all, [&](const std::vector<double>& tau) { return tau[k] / (fit.inner * fit.width) >= 0.5; });
     return static_cast<double>(bent) / static_cast<double>(all.size());
+}
+
+/// The value beside x of something known at the polyline's points.
+double beside(const std::vector<Vec3>& points, bool closed, const std::vector<double>& values, const Vec3& x)
+{
+    double least = std::numeric_limits<double>::infinity(), value = values.front();
+    for (size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
+        const size_t j = (i + 1) % points.size();
+        const Vec3 edge = points[j] - points[i];
+        const double squared = edge.squaredNorm();
+        const double share = squared > 0 ? std::clamp((x - points[i]).dot(edge) / squared, 0.0, 1.0) : 0;
+        if (const double d = (x - points[i] - share * edge).squaredNorm(); d < least) {
+            least = d;
+            value = std::lerp(values[i], values[j], share);
+        }
+    }
+    return value;
+}
+
+/// The value there of something known at the stations; `period` entries make the loop of a closed line, 0 = open.
+double at_entry(const std::vector<Station>& all, const std::vector<double>& values, double entry, size_t period)
+{
+    const auto above = std::ranges::upper_bound(all, entry, {}, &Station::entry) - all.begin();
+    const auto n = static_cast<std::ptrdiff_t>(all.size()), before = above - 1;
+    if (period == 0 && (before < 0 || above == n)) {
+        return values[std::clamp<std::ptrdiff_t>(before, 0, n - 1)];
+    }
+    const auto place = [&](std::ptrdiff_t i) {
+        const std::ptrdiff_t round = i < 0 ? -1 : (i == n ? 1 : 0);
+        return all[(i + n) % n].entry + static_cast<double>(round) * static_cast<double>(period);
+    };
+    const double share = (entry - place(before)) / (place(above) - place(before));
+    return std::lerp(values[(before + n) % n], values[above % n], share);
 }
 
 } // namespace
@@ -220,32 +190,27 @@ Strip find_strip(const Mesh& beside, const std::vector<int>& line, bool closed, 
         distances.push_back(reach * k * k / (samples * samples)); // densest beside the line
     }
     const auto each = profiles(side, topology, all, distances);
-    std::vector<double> tau;
-    for (size_t k = 0; k < distances.size(); ++k) {
-        std::vector<double> values;
-        for (const auto& profile : each) {
-            values.push_back(profile[k]);
-        }
-        tau.push_back(median(std::move(values)));
-    }
-    BendFit best;
-    std::pair<double, double> between;
-    for (size_t k = 4; k < distances.size() && options.narrowness * distances[k] <= reach; ++k) {
-        const BendFit fit = fit_bend(distances, tau, distances[k], options.narrowness);
-        const bool bends = std::abs(fit.inner) * fit.width >= options.least_turning * degree &&
-                           std::abs(fit.inner) >= options.contrast * std::abs(fit.outer);
-        if (bends && fit.left < best.left && turns_from_the_line_on(distances, tau, fit)) {
-            best = fit;
-            between = {distances[k - 1], distances[k + 1]};
-        }
-    }
-    best = refined(distances, tau, best, between, options.narrowness);
+    const BendFit best = best_bend(distances, median_profile(each), {0, reach}, options);
     constexpr double most = 0.7;
-    if (best.left > unexplained || share_bent(distances, each, best) < most) {
+    if (!best.found() || share_bent(distances, each, best) < most) {
         return {};
     }
-    return {best.width, (1 + margin) * best.width, std::abs(best.inner) * best.width / degree,
-            1 / std::abs(best.inner)};
+    Strip strip{best.width, (1 + margin) * best.width, std::abs(best.inner) * best.width / degree,
+                1 / std::abs(best.inner)};
+    const std::vector<double> local = widths_along(distances, each, closed, best, options);
+    for (size_t i = 0; i < line.size() && !local.empty(); ++i) {
+        strip.widths.push_back(at_entry(all, local, static_cast<double>(i), closed ? line.size() : 0));
+    }
+    return strip;
+}
+
+std::vector<double> Strip::carried(size_t entries, double share) const
+{
+    std::vector<double> result(entries, share * carried_mm);
+    for (size_t i = 0; i < entries && !widths.empty(); ++i) {
+        result[i] = share * widths[i] * carried_mm / width_mm;
+    }
+    return result;
 }
 
 std::pair<Mesh, Mesh> meshes_beside(const Mesh& mesh, const std::vector<int>& line, bool closed)
@@ -263,20 +228,28 @@ std::pair<Mesh, Mesh> meshes_beside(const Mesh& mesh, const std::vector<int>& li
     return {part(sides.first), part(sides.second)};
 }
 
-std::vector<int> strip_vertices(const Mesh& side, const std::vector<int>& line, double width_mm)
+std::vector<int> strip_vertices(const Mesh& side, const std::vector<int>& line, bool closed,
+                                const std::vector<double>& widths_mm)
 {
+    const double widest = widths_mm.empty() ? 0 : *std::ranges::max_element(widths_mm);
+    const bool even = std::ranges::all_of(widths_mm, [&](double width) { return width == widest; });
+    std::vector<Vec3> points;
     std::vector<DistanceSeed> seeds;
     std::vector<char> out(side.V.rows(), 0);
     for (const int v : line) {
         seeds.push_back({v, 0, side.V.row(v)});
+        points.emplace_back(side.V.row(v));
         out[v] = 1;
     }
     const Topology topology(side.F, static_cast<int>(side.V.rows()));
-    const std::vector<double> distance = geodesic_distance(side, topology, seeds, 2 * width_mm);
+    const std::vector<double> distance = geodesic_distance(side, topology, seeds, 2 * widest);
     constexpr double same = 1e-9;
     std::vector<int> vertices;
     for (int v = 0; v < static_cast<int>(out.size()); ++v) {
-        if (!out[v] && distance[v] <= width_mm * (1 + same)) {
+        if (out[v] || !(distance[v] <= widest * (1 + same))) {
+            continue;
+        }
+        if (even || distance[v] <= beside(points, closed, widths_mm, side.V.row(v)) * (1 + same)) {
             vertices.push_back(v);
         }
     }
@@ -293,14 +266,15 @@ std::vector<int> kept_strips(const Mesh& rest, const Positions& moved, const std
         constexpr double about = 0.1;
         if (after.found() && std::abs(after.width_mm - before.width_mm) < about * before.width_mm &&
             std::abs(after.turning - before.turning) < about * before.turning) {
-            const auto found = strip_vertices(side, line, (1 + about) * before.carried_mm);
+            const auto found = strip_vertices(side, line, closed, before.carried(line.size(), 1 + about));
             vertices.insert(vertices.end(), found.begin(), found.end());
         }
     }
     return vertices;
 }
 
-std::vector<Vec3> points_across(const Mesh& side, const std::vector<int>& line, bool closed, double distance_mm)
+std::vector<Vec3> points_across(const Mesh& side, const std::vector<int>& line, bool closed,
+                                const std::vector<double>& distances_mm)
 {
     const Topology topology(side.F, static_cast<int>(side.V.rows()));
     const size_t n = line.size();
@@ -323,7 +297,7 @@ std::vector<Vec3> points_across(const Mesh& side, const std::vector<int>& line, 
         const Vec3 p = side.V.row(line[i]);
         const MeshPoint end = conormals[i].isZero(0)
                                   ? MeshPoint{}
-                                  : slide(side, topology, line[i], distance_mm * conormals[i].normalized());
+                                  : slide(side, topology, line[i], distances_mm[i] * conormals[i].normalized());
         points.push_back(end.face < 0 ? p : position_of(side, end));
     }
     return points;

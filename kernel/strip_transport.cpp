@@ -63,7 +63,7 @@ public:
     void turn(const StripGround& ground, CarriedStrip& strip)
     {
         const int n = static_cast<int>(from_.size());
-        const std::vector<Vec3> outer = points_across(inner_, side_.line, transport_.closed, transport_.width_mm);
+        const std::vector<Vec3> outer = points_across(inner_, side_.line, transport_.closed, transport_.widths_mm);
         turns_.assign(n, Eigen::Quaterniond::Identity());
         strip.pivots.assign(n, 0);
         strip.lifts.assign(n, Vec3::Zero());
@@ -96,7 +96,7 @@ public:
         for (const VertexPair& edge : side_.features) {
             out[edge[0]] = out[edge[1]] = 1;
         }
-        strip.vertices = strip_vertices(inner_, side_.line, transport_.width_mm);
+        strip.vertices = strip_vertices(inner_, side_.line, transport_.closed, transport_.widths_mm);
         std::erase_if(strip.vertices, [&](int v) { return out[v] || topology_.border_vertex(v); });
     }
 

@@ -13,9 +13,9 @@ namespace tapeline {
 using StripGround = std::function<Vec3(const Vec3&)>;
 
 struct StripTransport {
-    double width_mm = 0; ///< of what is carried, along the surface from the line
-    bool closed = false; ///< the line is a loop
-    bool rests = false;  ///< the outer edge is to lie on the ground where the line moves into the side
+    std::vector<double> widths_mm; ///< of what is carried, along the surface from the line, per entry of side.line
+    bool closed = false;           ///< the line is a loop
+    bool rests = false;            ///< the outer edge is to lie on the ground where the line moves into the side
 };
 
 /// A strip of a side, carried along with its line.

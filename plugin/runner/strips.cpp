@@ -73,9 +73,9 @@ struct Task {
     const ExactGround* exact;
 
     /// Where the line's points go that stand on a strip of that side.
-    Result<std::vector<Vec3>> standing_on(const Mesh& side, double width, bool left) const
+    Result<std::vector<Vec3>> standing_on(const Mesh& side, const std::vector<double>& widths, bool left) const
     {
-        const std::vector<Vec3> edge = points_across(side, line.vertices, line.closed, width);
+        const std::vector<Vec3> edge = points_across(side, line.vertices, line.closed, widths);
         FitOptions fit;
         fit.tolerance_mm = settings.tolerance;
         const auto at_rest = fit_polyline(edge, line.closed, fit);
@@ -100,14 +100,36 @@ struct Task {
     }
 };
 
+/// Of the bend, at its narrowest and widest place [mm].
+std::pair<double, double> width_range(const Strip& bend)
+{
+    if (bend.widths.empty()) {
+        return {bend.width_mm, bend.width_mm};
+    }
+    const auto [least, most] = std::ranges::minmax(bend.widths);
+    return {least, most};
+}
+
+std::string width_text(const Strip& bend)
+{
+    const auto [least, most] = width_range(bend);
+    return least == most ? fmt::format("{:.3g}", least) : fmt::format("{:.3g} to {:.3g}", least, most);
+}
+
 ordered_json strip_json(const StripReport& strip)
 {
     if (!strip.bend.found()) {
         return nullptr;
     }
-    return {{"width_mm", strip.bend.width_mm}, {"carried_mm", strip.bend.carried_mm},
-            {"turning", strip.bend.turning},   {"radius_mm", strip.bend.radius_mm},
-            {"pivot_max", strip.pivot_max},    {"lift_max_mm", strip.lift_max_mm},
+    const auto [least, most] = width_range(strip.bend);
+    return {{"width_mm", strip.bend.width_mm},
+            {"width_min_mm", least},
+            {"width_max_mm", most},
+            {"carried_mm", strip.bend.carried_mm},
+            {"turning", strip.bend.turning},
+            {"radius_mm", strip.bend.radius_mm},
+            {"pivot_max", strip.pivot_max},
+            {"lift_max_mm", strip.lift_max_mm},
             {"vertices", strip.vertices}};
 }
 
@@ -148,11 +170,12 @@ Result<TargetLine> slide_on_strips(const Model& model, const FeatureLine& line, 
         if (std::ranges::none_of(share, goes)) {
             continue;
         }
-        const double carried = width ? *width : find_strip(side, line.vertices, line.closed).carried_mm;
-        if (!(carried > 0)) {
+        const Strip strip = width ? Strip{.carried_mm = *width} : find_strip(side, line.vertices, line.closed);
+        if (!strip.found()) {
             continue;
         }
-        const auto standing = Task{model, line, law, settings, exact}.standing_on(side, carried, left);
+        const auto standing =
+            Task{model, line, law, settings, exact}.standing_on(side, strip.carried(line.vertices.size()), left);
         if (!standing) {
             return tl::unexpected(standing.error());
         }
@@ -180,8 +203,8 @@ std::string strip_text(const MoveResult& move)
         }
         const bool compressed = side == static_cast<int>(move.placement.compressed);
         const std::string what = strip.bend.width_mm > 0
-                                     ? fmt::format("a bend {:.3g} mm wide ({:.3g} deg, radius {:.3g} mm)",
-                                                   strip.bend.width_mm, strip.bend.turning, strip.bend.radius_mm)
+                                     ? fmt::format("a bend {} mm wide ({:.3g} deg, radius {:.3g} mm)",
+                                                   width_text(strip.bend), strip.bend.turning, strip.bend.radius_mm)
                                      : fmt::format("a strip {:.3g} mm wide", strip.bend.carried_mm);
         text += fmt::format("{}{} beside the line on the {} side", text.empty() ? "" : " and ", what,
                             compressed ? "compressed" : "tension");

@@ -34,14 +34,15 @@ std::vector<double> rows(double bend)
 
 } // namespace
 
-FilletedPanel::FilletedPanel(double bend_width) : width(bend_width)
+FilletedPanel::FilletedPanel(double bend_width, double other_width)
+    : width(bend_width), last_width(other_width > 0 ? other_width : bend_width)
 {
-    const std::vector<double> y = rows(bend_width);
-    const int ny = static_cast<int>(y.size()) - 1;
-    Mesh mesh = grid(columns, ny, -300, 300, 0, ny,
-                     [&](double, double row) { return height(y[static_cast<size_t>(std::lround(row))]); });
+    const int ny = static_cast<int>(rows(width).size()) - 1;
+    Mesh mesh = grid(columns, ny, -300, 300, 0, ny, [](double, double) { return 0.0; });
     for (int v = 0; v < mesh.V.rows(); ++v) {
-        mesh.V(v, 1) = y[static_cast<size_t>(v / (columns + 1))];
+        const double x = mesh.V(v, 0);
+        mesh.V(v, 1) = rows(width_at(x))[static_cast<size_t>(v / (columns + 1))];
+        mesh.V(v, 2) = height(x, mesh.V(v, 1));
     }
     model = model_of(std::move(mesh));
     for (int i = 0; i <= columns; ++i) {
@@ -54,10 +55,15 @@ FilletedPanel::FilletedPanel(double bend_width) : width(bend_width)
     region = whole_model(model);
 }
 
-double FilletedPanel::height(double y) const
+double FilletedPanel::width_at(double x) const
 {
-    const double t = std::clamp(y, 0.0, width);
-    return std::tan(4 * degree) * std::min(y, 0.0) - std::tan(25 * degree) * (t - t * t / (2 * width));
+    return std::lerp(width, last_width, std::clamp((x + 150) / 300, 0.0, 1.0));
+}
+
+double FilletedPanel::height(double x, double y) const
+{
+    const double w = width_at(x), t = std::clamp(y, 0.0, w);
+    return std::tan(4 * degree) * std::min(y, 0.0) - std::tan(25 * degree) * (t - t * t / (2 * w));
 }
 
 Mesh FilletedPanel::side(const Positions& V, bool left) const
