@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/exact_edge.h"
 
+#include "kernel/segment.h"
+
 #include <BRep_Tool.hxx>
 #include <Geom_Curve.hxx>
 #include <TopExp.hxx>
@@ -116,8 +118,7 @@ std::optional<Vec3> ExactEdge::closest(const Vec3& p) const
     double best = std::numeric_limits<double>::infinity(), t = 0;
     for (size_t i = 0; i + 1 < points.size(); ++i) {
         const Vec3 along = points[i + 1] - points[i];
-        const double square = along.squaredNorm();
-        const double s = square > 0 ? std::clamp((p - points[i]).dot(along) / square, 0.0, 1.0) : 0;
+        const double s = share_of_segment(p, points[i], points[i + 1]);
         const double distance = (points[i] + s * along - p).squaredNorm();
         if (distance < best) {
             best = distance;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/border_slide.h"
 
+#include "kernel/segment.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -74,7 +76,7 @@ std::pair<double, double> nearest(const Mesh& mesh, const Chain& chain, const Ve
     double best_arc = 0, best = std::numeric_limits<double>::infinity();
     for (size_t i = 1; i < chain.vertices.size(); ++i) {
         const Vec3 a = mesh.V.row(chain.vertices[i - 1]), b = mesh.V.row(chain.vertices[i]);
-        const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+        const double t = share_of_segment(p, a, b);
         const double distance = (p - a - t * (b - a)).norm();
         if (distance < best) {
             best = distance;

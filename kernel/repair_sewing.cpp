@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/median.h"
 #include "kernel/repair_steps.h"
 
 #include <algorithm>
@@ -133,9 +134,7 @@ double median_coordinate(const Positions& V, const std::vector<int>& vertices)
     for (const int v : vertices) {
         largest.push_back(V.row(v).cwiseAbs().maxCoeff());
     }
-    const auto middle = largest.begin() + static_cast<std::ptrdiff_t>(largest.size() / 2);
-    std::ranges::nth_element(largest, middle);
-    return *middle;
+    return median(std::move(largest));
 }
 
 std::vector<PlacedEdge> place_border(const Mesh& mesh, const Topology& topology, const std::vector<int>& vertices,

@@ -210,13 +210,12 @@ struct Attempt {
 /// How much stiffer a round makes a triangle of whose length this share is left.
 double strongly(double left) { return 1 / left; }
 
+/// Where a triangle has more of its length left than this, a calm round is a strong one.
+constexpr double alike = 0.5;
+
 /// Along a row of springs the compression c = 1 - left is force over stiffness, and stiffness · c makes it even in one
 /// round. 1 / left does more than that from c = 1/2 on, and overshoots where all is compressed; below it is the calmer.
-double calmly(double left)
-{
-    constexpr double alike = 0.5;
-    return left > alike ? 1 / left : (1 - left) / (alike * alike);
-}
+double calmly(double left) { return left > alike ? 1 / left : (1 - left) / (alike * alike); }
 
 /// Extends, places, and equalises: the linear extension spreads displacement evenly but not compression, which is worst
 /// where the line turns most (the material shears there as well). Each round stiffens the compressed triangles, strongly
@@ -236,7 +235,7 @@ public:
         for (int round = 0; round < equalizing_rounds && share > 0; ++round) {
             std::vector<double> stiffer = stiffened(stiffness, last, 1);
             Attempt next = extended(stiffer);
-            if (const double worth = next.worth(last); worth < 1) {
+            if (const double worth = next.worth(last); worth < 1 && last.least() < alike) {
                 next = extended(stiffer = stiffened(stiffness, last, worth));
             }
             stiffness = std::move(stiffer);
@@ -255,8 +254,7 @@ private:
     {
         for (size_t t = 0; t < stiffness.size(); ++t) {
             const double left = last.left[t];
-            stiffness[t] *=
-                strong == 1 ? strongly(left) : std::pow(strongly(left), strong) * std::pow(calmly(left), 1 - strong);
+            stiffness[t] *= std::pow(strongly(left), strong) * std::pow(calmly(left), 1 - strong);
         }
         return stiffness;
     }

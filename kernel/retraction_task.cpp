@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/line_tangents.h"
 #include "kernel/retraction_steps.h"
+#include "kernel/segment.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -267,7 +268,7 @@ void RetractionTask::slide_chain(const std::vector<int>& chain)
         double best = 0, least = std::numeric_limits<double>::infinity();
         for (size_t k = 0; k + 1 < chain.size(); ++k) {
             const Vec3 a = position(chain[k]), edge = position(chain[k + 1]) - a;
-            const double t = edge.norm() > 0 ? std::clamp(edge.dot(p - a) / edge.squaredNorm(), 0.0, 1.0) : 0;
+            const double t = share_of_segment(p, a, a + edge);
             if (const double distance = (a + t * edge - p).norm(); distance < least) {
                 least = distance;
                 best = arc[k] + t * edge.norm();

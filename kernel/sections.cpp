@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/sections.h"
 
+#include "kernel/median.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace tapeline {
 
@@ -54,9 +57,7 @@ public:
                 lengths.push_back(arc_[i] - arc_[i - 1]);
             }
         }
-        const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-        std::nth_element(lengths.begin(), middle, lengths.end());
-        return *middle;
+        return median(std::move(lengths));
     }
 
     Vec2 at(double s) const

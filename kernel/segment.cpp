@@ -5,11 +5,16 @@
 
 namespace tapeline {
 
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b)
+double share_of_segment(const Vec3& p, const Vec3& a, const Vec3& b)
 {
     const Vec3 step = b - a;
-    const double t = step.squaredNorm() > 0 ? std::clamp(step.dot(p - a) / step.squaredNorm(), 0.0, 1.0) : 0;
-    return (p - a - t * step).norm();
+    const double squared = step.squaredNorm();
+    return squared > 0 ? std::clamp(step.dot(p - a) / squared, 0.0, 1.0) : 0;
+}
+
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b)
+{
+    return (p - a - share_of_segment(p, a, b) * (b - a)).norm();
 }
 
 } // namespace tapeline

@@ -3,13 +3,15 @@
 
 #include "kernel/geodesic_distance.h"
 #include "kernel/line_tangents.h"
+#include "kernel/median.h"
 #include "kernel/parallel.h"
 #include "kernel/quality.h"
+#include "kernel/segment.h"
 #include "kernel/sliding.h"
 #include "kernel/strip_fit.h"
 #include "kernel/topology.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -136,15 +138,13 @@ double share_bent(const std::vector<double>& d, const std::vector<std::vector<do
 }
 
 /// The value beside x of something known at the polyline's points.
-double beside(const std::vector<Vec3>& points, bool closed, const std::vector<double>& values, const Vec3& x)
+double value_beside(const std::vector<Vec3>& points, bool closed, const std::vector<double>& values, const Vec3& x)
 {
     double least = std::numeric_limits<double>::infinity(), value = values.front();
     for (size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
         const size_t j = (i + 1) % points.size();
-        const Vec3 edge = points[j] - points[i];
-        const double squared = edge.squaredNorm();
-        const double share = squared > 0 ? std::clamp((x - points[i]).dot(edge) / squared, 0.0, 1.0) : 0;
-        if (const double d = (x - points[i] - share * edge).squaredNorm(); d < least) {
+        const double share = share_of_segment(x, points[i], points[j]);
+        if (const double d = (x - points[i] - share * (points[j] - points[i])).squaredNorm(); d < least) {
             least = d;
             value = std::lerp(values[i], values[j], share);
         }
@@ -232,7 +232,6 @@ std::vector<int> strip_vertices(const Mesh& side, const std::vector<int>& line, 
                                 const std::vector<double>& widths_mm)
 {
     const double widest = widths_mm.empty() ? 0 : *std::ranges::max_element(widths_mm);
-    const bool even = std::ranges::all_of(widths_mm, [&](double width) { return width == widest; });
     std::vector<Vec3> points;
     std::vector<DistanceSeed> seeds;
     std::vector<char> out(side.V.rows(), 0);
@@ -246,10 +245,8 @@ std::vector<int> strip_vertices(const Mesh& side, const std::vector<int>& line, 
     constexpr double same = 1e-9;
     std::vector<int> vertices;
     for (int v = 0; v < static_cast<int>(out.size()); ++v) {
-        if (out[v] || !(distance[v] <= widest * (1 + same))) {
-            continue;
-        }
-        if (even || distance[v] <= beside(points, closed, widths_mm, side.V.row(v)) * (1 + same)) {
+        if (!out[v] && distance[v] <= widest * (1 + same) &&
+            distance[v] <= value_beside(points, closed, widths_mm, side.V.row(v)) * (1 + same)) {
             vertices.push_back(v);
         }
     }

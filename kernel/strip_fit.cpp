@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/strip_fit.h"
 
+#include "kernel/median.h"
 #include "kernel/parallel.h"
 
 #include <Eigen/Dense>
@@ -120,13 +121,6 @@ std::vector<double> smoothed(std::vector<double> values, bool closed)
 }
 
 } // namespace
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 std::vector<double> median_profile(const std::vector<std::vector<double>>& profiles)
 {

@@ -18,9 +18,6 @@ struct BendFit {
     bool found() const { return width > 0; }
 };
 
-/// The middle one of the values, of which there is at least one (the upper of two).
-double median(std::vector<double> values);
-
 /// The median of the profiles at each distance; they are equally long and at least one.
 std::vector<double> median_profile(const std::vector<std::vector<double>>& profiles);
 
