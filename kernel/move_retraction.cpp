@@ -13,6 +13,9 @@ namespace {
 
 std::string place_of(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g}) mm", p.x(), p.y(), p.z()); }
 
+/// From this share of its displacement on, a junction is said to miss the target.
+constexpr double off_target_share = 1e-3;
+
 bool is_free(const Vec3& target) { return !target.allFinite(); }
 
 } // namespace
@@ -26,7 +29,28 @@ Result<void> MoveState::carry_line(const TargetCurve& target)
     std::vector<int> whole(c.before.rbegin(), c.before.rend());
     whole.insert(whole.end(), c.line.vertices.begin(), c.line.vertices.end());
     whole.insert(whole.end(), c.after.begin(), c.after.end());
-    return carry_junctions(model_.mesh, other_feature_edges(model_, whole, c.line.closed), target, c);
+    return carry_junctions(model_.mesh, other_feature_edges(model_, whole, c.line.closed), target, c).map([&] {
+        warn_of_carried_junctions(target);
+    });
+}
+
+void MoveState::warn_of_carried_junctions(const TargetCurve& target)
+{
+    const Correspondence& c = result_.correspondence;
+    double farthest = 0;
+    size_t at = 0;
+    for (size_t i = 0; i < c.targets.size(); ++i) {
+        const double off = target.foot(c.targets[i]).distance;
+        if (off > farthest) {
+            farthest = off;
+            at = i;
+        }
+    }
+    if (farthest > off_target_share * c.displacements[at].norm()) {
+        result_.warnings.push_back(fmt::format("the line meets another feature line at {} and follows it, {:.3g} mm "
+                                               "off the target: let the target cross that feature line",
+                                               place_of(model_.mesh.V.row(c.line.vertices[at])), farthest));
+    }
 }
 
 void MoveState::warn_of_lines()

@@ -105,6 +105,7 @@ private:
     void lay_strip(int side, bool rests);
     Result<void> settle_strip(SideState& side, const std::vector<Vec3>& targets, const DeformationOptions& options);
     void warn_of_lines();
+    void warn_of_carried_junctions(const TargetCurve& target);
     /// How far the line moves into that side where it does so most, as a share of its largest displacement anywhere.
     double runs_into(int side) const;
     /// Share of the thin plate in the deformation: for asan-fl it grows to 1 on a target that swings to both sides.

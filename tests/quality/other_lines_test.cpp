@@ -6,6 +6,7 @@
 #include "tests/support/solids.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace tapeline;
@@ -113,6 +114,25 @@ TEST(OtherLines, AJunctionFollowsTheNeighbouringLineWhereTheTargetEndsBeforeOrBe
             EXPECT_LT((c.targets[i] - edge.from - slide).cross(edge.to - edge.from).norm(), 1e-12);
             EXPECT_TRUE(i == 0 || (c.targets[i] - c.targets[i - 1]).dot(edge.to - edge.from) > 0);
         }
+    }
+}
+
+TEST(OtherLines, AJunctionOffTheTargetIsWarnedOfWithTheDistance)
+{
+    const CubeEdge edge(true);
+    const Vec3 slide = 0.3 * edge.across;
+    RegionOptions options;
+    options.distance_mm = 1;
+    const auto region = make_region(edge.model, edge.line, targets_of(edge, slide), options);
+    ASSERT_TRUE(region) << region.error().message;
+    for (const double missing : {0.0, 0.05}) {
+        const ParametricCurve target = edge.target(slide, -missing);
+        const auto moved = move_feature_line(edge.model, edge.line, target, *region);
+        ASSERT_TRUE(moved) << moved.error().message;
+        const bool warned = std::ranges::any_of(moved->warnings, [](const std::string& warning) {
+            return warning.find("follows it, 0.05 mm off the target") != std::string::npos;
+        });
+        EXPECT_EQ(warned, missing > 0);
     }
 }
 
